@@ -1,0 +1,20 @@
+#pragma once
+#include <Eigen/Core>
+
+namespace flownav {
+
+/// A point of an obstacle, in the ROBOT frame (x forward, y left, z up) at the end of its cycle.
+struct ObstaclePoint {
+    Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+    double sigma_m = 0.0;                               ///< standard deviation of the range
+    Eigen::Vector2d at_px = Eigen::Vector2d::Zero();    ///< its block's place in the cycle's LAST field
+};
+
+/// A patch of floor that was seen to be floor: a short segment on the ground along the line of sight, in the
+/// ROBOT frame at the end of its cycle.
+struct GroundPatch {
+    Eigen::Vector2d near_m = Eigen::Vector2d::Zero();
+    Eigen::Vector2d far_m = Eigen::Vector2d::Zero();
+};
+
+}  // namespace flownav

@@ -1,0 +1,19 @@
+#pragma once
+
+namespace flownav {
+
+/// Refinement of the integer minimum of the SAD surface.
+enum class Subpixel {
+    None,      ///< integer vectors, as printed in [P]
+    V,         ///< equiangular: two lines of opposite slope through the three costs around the minimum
+    Parabola,  ///< a parabola through the same three
+};
+
+struct FlowParams {
+    int blocks = 350;                ///< how many 16x16 blocks are placed; 16..2000
+    Subpixel subpixel = Subpixel::V;
+    double confidence_min = 0.06;    ///< a match below is sifted; (second - min) / second, 0..1
+    double blind_cone = 0.25;        ///< no blocks where |e| is below: the cone around the focus of expansion
+};
+
+}  // namespace flownav

@@ -1,0 +1,59 @@
+# What every target of flownav shares.
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+find_program(FLOWNAV_CCACHE ccache)
+if(FLOWNAV_CCACHE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${FLOWNAV_CCACHE})
+endif()
+
+# -ffp-contract=off: the same numbers on every machine, with or without fused multiply-add.
+add_library(flownav_options INTERFACE)
+target_compile_options(flownav_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+                                                 -Wconversion -Wno-sign-conversion -Werror -ffp-contract=off)
+if(FLOWNAV_SANITIZE)
+    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=address,undefined)
+endif()
+if(FLOWNAV_TIDY)
+    find_program(FLOWNAV_CLANG_TIDY clang-tidy REQUIRED)
+    set(CMAKE_CXX_CLANG_TIDY ${FLOWNAV_CLANG_TIDY} --quiet --extra-arg=-Wno-unknown-warning-option)
+endif()
+
+# flownav_library(NAME core SOURCES a.cpp ... LINKS target ... [PRIVATE_LINKS target ...]) makes flownav::core.
+function(flownav_library)
+    cmake_parse_arguments(LIB "" "NAME" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+    add_library(flownav_${LIB_NAME} STATIC ${LIB_SOURCES})
+    add_library(flownav::${LIB_NAME} ALIAS flownav_${LIB_NAME})
+    target_include_directories(flownav_${LIB_NAME} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+                                                          $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    target_link_libraries(flownav_${LIB_NAME} PUBLIC ${LIB_LINKS} PRIVATE ${LIB_PRIVATE_LINKS}
+                                                                          $<BUILD_INTERFACE:flownav_options>)
+    target_compile_features(flownav_${LIB_NAME} PUBLIC cxx_std_17)
+    set_target_properties(flownav_${LIB_NAME} PROPERTIES EXPORT_NAME ${LIB_NAME} OUTPUT_NAME flownav-${LIB_NAME})
+    install(TARGETS flownav_${LIB_NAME} EXPORT flownavTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+                                                              LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endfunction()
+
+# flownav_app(NAME replay SOURCES main.cpp ... LINKS target ...) makes the program flownav-replay.
+function(flownav_app)
+    cmake_parse_arguments(APP "" "NAME" "SOURCES;LINKS" ${ARGN})
+    add_executable(flownav-${APP_NAME} ${APP_SOURCES})
+    target_link_libraries(flownav-${APP_NAME} PRIVATE ${APP_LINKS} flownav_options)
+    install(TARGETS flownav-${APP_NAME} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endfunction()
+
+# flownav_test(NAME flow LABEL unit SOURCES a_unittest.cpp ... LINKS target ...) makes one GoogleTest program.
+function(flownav_test)
+    cmake_parse_arguments(TEST "" "NAME;LABEL" "SOURCES;LINKS" ${ARGN})
+    add_executable(${TEST_LABEL}_${TEST_NAME} ${TEST_SOURCES})
+    target_link_libraries(${TEST_LABEL}_${TEST_NAME} PRIVATE ${TEST_LINKS} GTest::gtest_main flownav_options)
+    gtest_discover_tests(${TEST_LABEL}_${TEST_NAME} DISCOVERY_TIMEOUT 60
+                         PROPERTIES LABELS ${TEST_LABEL} TIMEOUT 600)
+endfunction()

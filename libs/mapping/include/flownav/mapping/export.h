@@ -1,0 +1,12 @@
+#pragma once
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include <filesystem>
+
+namespace flownav {
+
+/// Writes map.pgm + map.yaml (ROS map_server, trinary) and map.gridmap.gz (MRPT's tools) into `directory`.
+/// Throws std::runtime_error naming the file that could not be written. Same grid, same bytes.
+void export_map(const mrpt::maps::COccupancyGridMap2D& grid, const std::filesystem::path& directory);
+
+}  // namespace flownav

@@ -1,0 +1,1 @@
+// placeholder until the first source file of this module exists

@@ -1,0 +1,23 @@
+#pragma once
+
+namespace flownav {
+
+/// Where e, h and the ground depth of a vector are evaluated.
+enum class Geometry {
+    MidPoint,  ///< half-way along the vector: right for finite displacements
+    Block,     ///< at the reference block, as printed in [P]: T and obstacles are biased
+};
+
+/// What the rotation estimate assumes.
+enum class MotionModel {
+    Yaw,       ///< as [P]
+    YawPitch,  ///< yaw and pitch rate from a line fit of omega_i over x/(a y + b)
+};
+
+struct MotionParams {
+    Geometry geometry = Geometry::MidPoint;
+    MotionModel model = MotionModel::YawPitch;
+    double lambda_px = 1.0;  ///< Eq. (11): largest distance of a vector from its line through the FOE
+};
+
+}  // namespace flownav

@@ -1,0 +1,22 @@
+#pragma once
+#include "flownav/flow/params.h"
+#include "flownav/motion/params.h"
+#include "flownav/obstacles/params.h"
+
+namespace flownav::pipeline {
+
+struct RateParams {
+    int cycle_images = 0;       ///< r: images compared with one reference; 0: chosen from the speed ("auto")
+    double travel_m = 0.08;     ///< travel per cycle that "auto" aims at
+    double gap_max_s = 0.5;     ///< a longer pause between fields starts a new chain
+};
+
+struct Params {
+    FlowParams flow;
+    MotionParams motion;
+    ObstacleParams obstacles;
+    RateParams rate;
+    int threads = 1;            ///< of the block matching; the result does not depend on it
+};
+
+}  // namespace flownav::pipeline

@@ -1,0 +1,59 @@
+#pragma once
+#include <vector>
+
+#include "flownav/core/ego_motion.h"
+#include "flownav/core/field_status.h"
+#include "flownav/core/flow_vector.h"
+#include "flownav/core/obstacle_point.h"
+#include "flownav/core/pose2.h"
+#include "flownav/core/virtual_scan.h"
+
+namespace flownav::pipeline {
+
+/// Everything that is known about one block after one field.
+struct BlockRecord {
+    FlowVector vector;                                        ///< last valid measurement of this cycle
+    Eigen::Vector2d predicted_px = Eigen::Vector2d::Zero();   ///< flow the prediction expected there (ground)
+    RayFlow ray;                                              ///< `vector` on the normalised plane
+    int image_of_cycle = 0;                                   ///< image j the vector was measured in; 0: none
+    BlockFate fate = BlockFate::Unplaced;
+    bool in_ground_window = false;
+    bool fresh = false;           ///< measured in THIS field
+    double omega_rad = 0.0;       ///< Eq. (4) of this vector
+    double excess_px = 0.0;       ///< left side of Eq. (13) minus expectation, in pixels along e
+};
+
+/// How many blocks got how far in this field.
+struct BlockCounts {
+    int placed = 0;         ///< the search window was (partly) inside the image
+    int confident = 0;      ///< passed sifting
+    int inliers = 0;        ///< support omega
+    int ground_window = 0;  ///< support T
+    int ground = 0;
+    int obstacle = 0;
+    int eliminated = 0;
+    int unsupported = 0;
+};
+
+/// The record of one field: every intermediate product of field -> flow -> ego-motion -> obstacles.
+struct Step {
+    double timestamp_s = 0.0;
+    FieldStatus status = FieldStatus::Waiting;
+    bool restarted = false;        ///< a gap, a change of camera or a loss began a new chain here
+    int image_of_cycle = 0;        ///< j: 0 for a reference without predecessor, else 1..r
+    int cycle_images = 0;          ///< r, as planned for this cycle
+    bool end_of_cycle = false;     ///< obstacles, ground patches and scan are new
+    double omega_radps = 0.0;      ///< from the previous field to this one, > 0 left
+    double pitch_rate_radps = 0.0; ///< from the previous field to this one, > 0 raises the view
+    double v_mps = 0.0;            ///< mean forward speed since the reference
+    bool v_measured = false;       ///< false: speed was carried over
+    EgoMotion motion;              ///< from the cycle's reference to this field
+    Pose2 T_start_robot;           ///< flow odometry; identity at the first field
+    BlockCounts counts;
+    std::vector<BlockRecord> blocks;
+    std::vector<ObstaclePoint> obstacles;  ///< robot frame at timestamp_s; only at the end of a cycle
+    std::vector<GroundPatch> ground;       ///< robot frame at timestamp_s; only at the end of a cycle
+    VirtualScan scan;                      ///< only at the end of a cycle
+};
+
+}  // namespace flownav::pipeline
