@@ -52,4 +52,7 @@ void load_config_file(Config& config, const std::string& path);
 /// The ini text of a configuration, each key with its documentation.
 std::string dump_config(const Config& config);
 
+/// Every key as one table in markdown.
+std::string document_config();
+
 }  // namespace flownav

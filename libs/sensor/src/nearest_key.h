@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+
+#include "config_key.h"
+
+namespace flownav::config {
+
+/// The known key that `section.name` was most likely meant to be; the first of the table on ties.
+const Key& nearest_key(const std::string& section, const std::string& name);
+
+}  // namespace flownav::config
