@@ -1,0 +1,24 @@
+#pragma once
+#include <cstdint>
+
+#include "flownav/testing/render.h"
+
+namespace flownav::testing {
+
+/// What the camera and the floor do to a whole drive. Everything is drawn anew for every image, from the
+/// seed.
+struct CameraEffects {
+    double noise_sigma = 2.5;          ///< grey levels
+    double gain_sigma = 0.0;           ///< of the exposure from image to image
+    double offset_sigma = 0.0;         ///< grey levels
+    double vignetting = 0.25;          ///< share of light lost in the corners
+    double pitch_vibration_rad = 0.0;  ///< standard deviation
+    double roll_vibration_rad = 0.0;   ///< standard deviation
+    double floor_sigma_m = 0.0;        ///< of the camera's height over the ground
+    std::uint64_t seed = 1;
+};
+
+/// The effects on image i.
+ImageEffects effects_of_image(const CameraEffects& effects, int i);
+
+}  // namespace flownav::testing

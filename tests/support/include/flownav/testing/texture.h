@@ -1,0 +1,64 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace flownav::testing {
+
+/// What a surface looks like. The numbers are those of the column `texture` in objects.csv.
+enum class Surface : std::uint8_t {
+    Plain = 0,      ///< no texture at all
+    Carpet = 1,     ///< rich, from half a metre down to a few millimetres
+    Tiles = 2,      ///< regular dark joints, nearly nothing inside
+    Lino = 3,       ///< low contrast
+    Wall = 4,       ///< painted rough plaster, low contrast
+    Patterned = 5,  ///< rich, for objects
+    Faint = 6,      ///< wood or metal, low contrast, darker
+};
+
+/// The floor of a name: carpet, tiles, lino or plain.
+std::optional<Surface> floor_surface(const std::string& name);
+
+struct Texture {
+    Surface surface = Surface::Plain;
+    double shade = 1.0;      ///< factor on the grey of the surface
+    std::uint64_t seed = 0;  ///< same seed, same picture
+};
+
+/// The piece of a surface that one pixel sees: a parallelogram around `at_m`, spanned by what one pixel step
+/// to the right and one down move on the surface, metres.
+struct Footprint {
+    Eigen::Vector2d at_m = Eigen::Vector2d::Zero();
+    Eigen::Vector2d right_m = Eigen::Vector2d::Zero();
+    Eigen::Vector2d down_m = Eigen::Vector2d::Zero();
+};
+
+/// A texture ready for evaluation: band-limited noise, filtered with the footprint it is seen with, so that
+/// far texture fades into its mean instead of sparkling.
+class TextureSampler {
+  public:
+    explicit TextureSampler(const Texture& texture);
+
+    /// Mean grey (0..255, not clamped) of the footprint.
+    double grey(const Footprint& footprint) const;
+
+  private:
+    struct Octave {
+        double ax, ay, bx, by;  ///< lattice coordinates: (ax x + ay y + ox, bx x + by y + oy)
+        double ox, oy;
+        double spacing_m, amplitude;
+    };
+
+    void add_octaves(double coarsest_m, double finest_m, double ratio, double amplitude, double growth);
+    double tiled(const Footprint& footprint, double inside) const;
+
+    double base_ = 128.0;
+    double shade_ = 1.0;
+    std::uint64_t seed_ = 0;
+    std::vector<Octave> octaves_;
+    bool tiled_ = false;
+};
+
+}  // namespace flownav::testing

@@ -1,0 +1,91 @@
+#include "furniture.h"
+
+#include <cmath>
+
+namespace flownav::testing {
+namespace {
+
+using Eigen::Vector2d;
+
+Primitive box(const Vector2d& at_m, double z_low_m, double z_high_m, double half_x_m, double half_y_m,
+              Surface surface, double shade) {
+    Primitive p;
+    p.centre_m = at_m;
+    p.z_low_m = z_low_m;
+    p.z_high_m = z_high_m;
+    p.half_x_m = half_x_m;
+    p.half_y_m = half_y_m;
+    p.texture = {surface, shade, 0};
+    return p;
+}
+
+Primitive cylinder(const Vector2d& at_m, double radius_m, double z_high_m, Surface surface, double shade) {
+    Primitive p = box(at_m, 0.0, z_high_m, radius_m, 0.0, surface, shade);
+    p.shape = Shape::Cylinder;
+    return p;
+}
+
+/// Objects are written to tables with five decimals; what is rendered is exactly what is written.
+double rounded(double value) {
+    return std::round(value * 1e5) / 1e5;
+}
+
+}  // namespace
+
+Thing make_chair(Random& random) {
+    const double half = 0.20;
+    Thing chair;
+    for (const double x : {-half, half})
+        for (const double y : {-half, half})
+            chair.push_back(cylinder({x, y}, 0.017, 0.43, Surface::Faint, random.uniform(0.5, 0.7)));
+    chair.push_back(box({0, 0}, 0.43, 0.47, 0.22, 0.22, Surface::Patterned, 0.8));
+    chair.push_back(box({-0.21, 0}, 0.62, 0.92, 0.015, 0.22, Surface::Patterned, 0.8));
+    return chair;
+}
+
+Thing make_drum(Random& random) {
+    return {cylinder({0, 0}, 0.13, 0.60, Surface::Patterned, random.uniform(0.9, 1.1))};
+}
+
+Thing make_pole(Random& random) {
+    return {cylinder({0, 0}, 0.025, 1.10, Surface::Patterned, random.uniform(0.6, 0.9))};
+}
+
+Thing make_low_box(Random& random) {
+    return {box({0, 0}, 0.0, 0.15, 0.20, 0.15, Surface::Patterned, random.uniform(0.8, 1.0))};
+}
+
+Thing make_box(Random& random) {
+    const double height_m = random.uniform(0.45, 0.85);
+    const Surface surface = random.uniform(0, 1) < 0.7 ? Surface::Patterned : Surface::Faint;
+    return {box({0, 0}, 0.0, height_m, 0.20, 0.20, surface, random.uniform(0.7, 1.1))};
+}
+
+Thing make_wall(const Vector2d& from_m, const Vector2d& to_m) {
+    const Vector2d along = to_m - from_m;
+    const Vector2d middle = 0.5 * (from_m + to_m);
+    Thing wall{box(middle, 0.0, 2.5, 0.5 * along.norm(), 0.05, Surface::Wall, 1.0),
+               box(middle, 0.0, 0.1, 0.5 * along.norm() + 0.008, 0.058, Surface::Patterned, 0.45)};
+    for (Primitive& p : wall) p.yaw_rad = std::atan2(along.y(), along.x());
+    return wall;
+}
+
+Thing placed(Thing thing, const Vector2d& at_m, double yaw_rad, int object, Random& random) {
+    const double c = std::cos(yaw_rad);
+    const double s = std::sin(yaw_rad);
+    for (Primitive& p : thing) {
+        const Vector2d local = p.centre_m;
+        p.centre_m = {rounded(at_m.x() + c * local.x() - s * local.y()),
+                      rounded(at_m.y() + s * local.x() + c * local.y())};
+        p.yaw_rad = p.shape == Shape::Cylinder ? 0.0 : p.yaw_rad + yaw_rad;
+        p.z_high_m = rounded(p.z_high_m);
+        p.half_x_m = rounded(p.half_x_m);
+        p.half_y_m = rounded(p.half_y_m);
+        p.texture.shade = rounded(p.texture.shade);
+        p.texture.seed = random.bits();
+        p.object = object;
+    }
+    return thing;
+}
+
+}  // namespace flownav::testing

@@ -1,0 +1,125 @@
+#include "layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flownav/testing/random.h"
+#include "furniture.h"
+
+namespace flownav::testing {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double free_beside_path_m = 0.5;
+constexpr double ahead_m = 3.0;  ///< things stand along this much more than the path itself
+
+/// The path, and straight on from its end.
+std::vector<Pose2> extended(const std::vector<Pose2>& path) {
+    std::vector<Pose2> longer = path;
+    for (double d = 0.05; d <= ahead_m; d += 0.05) longer.push_back(compose(path.back(), {d, 0.0, 0.0}));
+    return longer;
+}
+
+bool clear_of(const std::vector<Pose2>& way, const Thing& thing) {
+    return std::all_of(way.begin(), way.end(), [&](const Pose2& pose) {
+        return std::all_of(thing.begin(), thing.end(), [&](const Primitive& p) {
+            return distance_m(p, Vector2d(pose.x_m, pose.y_m)) >= free_beside_path_m;
+        });
+    });
+}
+
+bool apart_from(const World& world, const Vector2d& at_m) {
+    return std::all_of(world.primitives.begin(), world.primitives.end(), [&](const Primitive& p) {
+        return distance_m(p, at_m) > (p.object == wall_object ? 0.35 : 0.45);
+    });
+}
+
+void add(World& world, const Thing& thing) {
+    world.primitives.insert(world.primitives.end(), thing.begin(), thing.end());
+}
+
+Thing make_thing(int kind, Random& random) {
+    switch (kind % 6) {
+        case 0:
+            return make_chair(random);
+        case 1:
+            return make_drum(random);
+        case 2:
+            return make_pole(random);
+        case 3:
+            return make_low_box(random);
+        default:
+            return make_box(random);
+    }
+}
+
+Thing make_corridor_thing(int kind, Random& random) {
+    return kind % 3 == 1 ? make_pole(random) : make_box(random);
+}
+
+/// Things to the left and right of the way, at most `reach_m` from it.
+void add_things(World& world, const SceneOptions& options, const std::vector<Pose2>& way, int wanted,
+                double reach_m, Random& random) {
+    int object = 1;
+    for (int attempt = 0; attempt < 60 * wanted && object <= wanted; ++attempt) {
+        const auto along = static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(way.size())));
+        const double side_m = random.uniform(0.6, reach_m) * (random.uniform(0, 1) < 0.5 ? -1.0 : 1.0);
+        const Vector2d at_m = transform(way[along], Vector2d(0.5, side_m));
+        const Thing raw = options.kind == SceneKind::Corridor ? make_corridor_thing(object, random)
+                                                              : make_thing(object, random);
+        const Thing thing = placed(raw, at_m, random.uniform(-M_PI, M_PI), object, random);
+        if (!clear_of(way, thing) || !apart_from(world, at_m)) continue;
+        add(world, thing);
+        ++object;
+    }
+}
+
+void add_room(World& world, const std::vector<Pose2>& way, double margin_x_m, double margin_y_m,
+              Random& random) {
+    const auto by_x = std::minmax_element(way.begin(), way.end(),
+                                          [](const Pose2& a, const Pose2& b) { return a.x_m < b.x_m; });
+    const auto by_y = std::minmax_element(way.begin(), way.end(),
+                                          [](const Pose2& a, const Pose2& b) { return a.y_m < b.y_m; });
+    const double west = by_x.first->x_m - 2.0;
+    const double east = by_x.second->x_m + margin_x_m;
+    const double south = by_y.first->y_m - margin_y_m;
+    const double north = by_y.second->y_m + margin_y_m;
+    const std::vector<Vector2d> corners = {{west, south}, {east, south}, {east, north}, {west, north}};
+    for (std::size_t i = 0; i < 4; ++i)
+        add(world, placed(make_wall(corners[i], corners[(i + 1) % 4]), {0, 0}, 0.0, wall_object, random));
+}
+
+/// A large box that keeps ahead of the robot and crosses its way from the left.
+Thing make_mover(const SceneOptions& options, Random& random) {
+    Primitive box;
+    box.half_x_m = 0.25;
+    box.half_y_m = 0.75;
+    box.z_high_m = 1.7;
+    box.texture = {Surface::Patterned, 1.0, 0};
+    Thing thing = placed({box}, {1.95, 1.3}, 0.0, 50, random);
+    thing.front().velocity_mps = {options.speed_mps, -0.25};
+    return thing;
+}
+
+}  // namespace
+
+World make_world(const SceneOptions& options, const std::vector<Pose2>& path) {
+    Random random(mix(options.seed, 7));
+    World world;
+    world.ground = {options.floor, 1.0, random.bits()};
+    if (options.kind == SceneKind::Free) return world;
+    const std::vector<Pose2> way = extended(path);
+    const bool corridor = options.kind == SceneKind::Corridor;
+    const double length_m = static_cast<double>(path.size()) / options.rate_hz * options.speed_mps + ahead_m;
+    World walls;
+    add_room(walls, way, corridor ? 1.0 : 2.0, corridor ? 1.25 : 2.6, random);
+    const double reach_m = corridor ? 1.0 : 2.1;
+    const int wanted = static_cast<int>(std::lround(length_m * (corridor ? 1.6 : 1.8)));
+    add_things(world, options, way, wanted, reach_m, random);
+    add(world, walls.primitives);
+    if (options.kind == SceneKind::Mover) add(world, make_mover(options, random));
+    return world;
+}
+
+}  // namespace flownav::testing

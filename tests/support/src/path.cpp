@@ -1,0 +1,58 @@
+#include "path.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flownav::testing {
+namespace {
+
+constexpr double degree = M_PI / 180.0;
+
+/// Turns to the left and right of 30 deg/s and 1.5 s between straight pieces of 1 s, entered within 0.3 s.
+double turns_radps(double time_s) {
+    constexpr double piece_s = 2.5;
+    constexpr double ramp_s = 0.3;
+    const double piece = std::floor(time_s / piece_s);
+    const double in_turn_s = time_s - piece * piece_s - 1.0;
+    const double left_s = 1.5 - in_turn_s;
+    const double share = std::clamp(std::min(in_turn_s, left_s) / ramp_s, 0.0, 1.0);
+    return (std::fmod(piece, 2.0) < 1.0 ? 30.0 : -30.0) * degree * share;
+}
+
+/// Turn rate of the robot.
+double omega_radps(const SceneOptions& options, double time_s) {
+    switch (options.kind) {
+        case SceneKind::SCurve:
+            return 30.0 * degree * std::cos(2.0 * M_PI * time_s / 4.8 + 0.3);
+        case SceneKind::Turns:
+            return turns_radps(time_s);
+        case SceneKind::Corridor:
+            return 6.0 * degree * std::cos(2.0 * M_PI * time_s / 4.0);
+        default:
+            return 0.0;
+    }
+}
+
+double rounded(double value) {
+    return std::round(value * 1e7) / 1e7;
+}
+
+}  // namespace
+
+std::vector<Pose2> make_path(const SceneOptions& options) {
+    constexpr int steps = 20;
+    const double step_s = 1.0 / options.rate_hz / steps;
+    std::vector<Pose2> poses;
+    Pose2 pose;
+    for (int i = 0; i < options.images; ++i) {
+        poses.push_back({rounded(pose.x_m), rounded(pose.y_m), rounded(pose.yaw_rad)});
+        for (int k = 0; k < steps; ++k) {
+            const double time_s = i / options.rate_hz + (k + 0.5) * step_s;
+            pose =
+                compose(pose, along_arc(omega_radps(options, time_s) * step_s, options.speed_mps * step_s));
+        }
+    }
+    return poses;
+}
+
+}  // namespace flownav::testing

@@ -1,0 +1,93 @@
+#include "flownav/testing/scene.h"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "flownav/testing/random.h"
+#include "layout.h"
+#include "path.h"
+
+namespace flownav::testing {
+namespace {
+
+void check(const SceneOptions& options) {
+    if (options.images < 2 || options.images > 100000)
+        throw std::invalid_argument("images = " + std::to_string(options.images) + ": choose 2 to 100000");
+    if (!(options.rate_hz > 0.0 && options.rate_hz <= 1000.0))
+        throw std::invalid_argument("rate_hz = " + std::to_string(options.rate_hz) +
+                                    ": choose above 0, up to 1000");
+    if (options.camera.width_px < 16 || options.camera.height_px < 16 || options.camera.width_px > 8192 ||
+        options.camera.height_px > 8192)
+        throw std::invalid_argument("image of " + std::to_string(options.camera.width_px) + " x " +
+                                    std::to_string(options.camera.height_px) + " px: choose 16 to 8192");
+    if (!(options.speed_mps >= 0.0 && options.speed_mps <= 10.0))
+        throw std::invalid_argument("speed_mps = " + std::to_string(options.speed_mps) + ": choose 0 to 10");
+}
+
+}  // namespace
+
+const char* to_string(SceneKind kind) {
+    switch (kind) {
+        case SceneKind::Free:
+            return "free";
+        case SceneKind::Straight:
+            return "straight";
+        case SceneKind::SCurve:
+            return "s-curve";
+        case SceneKind::Turns:
+            return "turns";
+        case SceneKind::Corridor:
+            return "corridor";
+        case SceneKind::Mover:
+            return "mover";
+    }
+    return "";
+}
+
+std::optional<SceneKind> scene_kind(const std::string& name) {
+    for (const SceneKind kind : all_scene_kinds)
+        if (name == to_string(kind)) return kind;
+    return std::nullopt;
+}
+
+Scene make_scene(const SceneOptions& options) {
+    check(options);
+    Scene scene;
+    scene.options = options;
+    scene.options.effects.seed = mix(options.seed, 11);
+    scene.poses = make_path(options);
+    scene.world = make_world(options, scene.poses);
+    return scene;
+}
+
+Scene make_scene(SceneKind kind, std::uint64_t seed) {
+    SceneOptions options;
+    options.kind = kind;
+    options.seed = seed;
+    return make_scene(options);
+}
+
+View nominal_view(const Scene& scene, int i) {
+    const SceneOptions& o = scene.options;
+    const Parity parity = i % 2 == 0 ? Parity::Top : Parity::Bottom;
+    const CameraModel camera = o.interlaced ? field_camera(o.camera, parity) : o.camera;
+    return {camera, scene.poses.at(static_cast<std::size_t>(i)), scene.time_s(i)};
+}
+
+View true_view(const Scene& scene, int i) {
+    View view = nominal_view(scene, i);
+    view.camera = with_effects(view.camera, effects_of_image(scene.options.effects, i));
+    return view;
+}
+
+GreyImage render_image(const Scene& scene, int i) {
+    return render(scene.world, nominal_view(scene, i), effects_of_image(scene.options.effects, i));
+}
+
+Field make_field(const Scene& scene, int i) {
+    const auto image = std::make_shared<GreyImage>(render_image(scene, i));
+    return {scene_start_s + scene.time_s(i), image->view(), nominal_view(scene, i).camera, image};
+}
+
+}  // namespace flownav::testing

@@ -1,0 +1,35 @@
+#pragma once
+#include <vector>
+
+#include "candidates.h"
+#include "flownav/testing/texture.h"
+
+namespace flownav::testing {
+
+/// Light of the world as a view sees it, before the camera's electronics.
+class ScenePainter {
+  public:
+    ScenePainter(const World& world, const View& view);
+
+    /// Paints pixels [u0, u1) x [v0, v1) into `light` (the whole image, row after row), grey levels.
+    void paint_tile(int u0, int v0, int u1, int v1, std::vector<float>& light) const;
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+  private:
+    const Eigen::Vector2d& corner(int u, int v) const;
+    Hit hit_at(const std::vector<int>& tile, const Eigen::Vector2d& level_ray) const;
+    std::vector<int> tile_candidates(int u0, int v0, int u1, int v1) const;
+    double pixel(const std::vector<int>& tile, int u, int v, bool uniform) const;
+    double shade(const Hit& hit, const Eigen::Vector2d& level_ray, const Eigen::Vector2d& right,
+                 const Eigen::Vector2d& down) const;
+
+    int width_, height_;
+    RayFrame frame_;
+    std::vector<Solid> solids_;
+    std::vector<TextureSampler> samplers_;  ///< of the solids; the ground's comes last
+    std::vector<Eigen::Vector2d> corners_;  ///< level rays of the pixels' corners
+};
+
+}  // namespace flownav::testing
