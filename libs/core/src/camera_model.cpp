@@ -44,7 +44,8 @@ Eigen::Matrix3d level_rotation(const CameraMount& m) {
     const AngleAxisd pitch(m.pitch_rad, Vector3d::UnitX());
     const AngleAxisd yaw(m.yaw_rad, -Vector3d::UnitY());
     const AngleAxisd roll(m.roll_rad, Vector3d::UnitZ());
-    // Level camera = pitch only; mounted camera = yaw about the vertical, then pitch, then roll about its axis.
+    // Level camera = pitch only; mounted camera = yaw about the vertical, then pitch, then roll about its
+    // axis.
     return (pitch * yaw * pitch.inverse() * roll).toRotationMatrix();
 }
 
@@ -57,7 +58,8 @@ RayMapper::RayMapper(const CameraModel& camera)
       rotated_(camera.mount.roll_rad != 0.0 || camera.mount.yaw_rad != 0.0) {}
 
 Vector2d RayMapper::ray(const Vector2d& pixel_px) const {
-    Vector2d p((pixel_px.x() - camera_.cx_px) / camera_.fx_px, (pixel_px.y() - camera_.cy_px) / camera_.fy_px);
+    Vector2d p((pixel_px.x() - camera_.cx_px) / camera_.fx_px,
+               (pixel_px.y() - camera_.cy_px) / camera_.fy_px);
     if (distorted_) p = undistort(p, camera_.distortion);
     if (!rotated_) return p;
     return (R_level_camera_ * p.homogeneous()).hnormalized();

@@ -5,24 +5,36 @@ namespace flownav {
 
 const char* to_string(FieldStatus status) {
     switch (status) {
-        case FieldStatus::Ok: return "ok";
-        case FieldStatus::Waiting: return "waiting";
-        case FieldStatus::Lost: return "lost";
-        case FieldStatus::NoTexture: return "no_texture";
-        case FieldStatus::BadField: return "bad_field";
+        case FieldStatus::Ok:
+            return "ok";
+        case FieldStatus::Waiting:
+            return "waiting";
+        case FieldStatus::Lost:
+            return "lost";
+        case FieldStatus::NoTexture:
+            return "no_texture";
+        case FieldStatus::BadField:
+            return "bad_field";
     }
     return "unknown";
 }
 
 const char* to_string(BlockFate fate) {
     switch (fate) {
-        case BlockFate::Unplaced: return "unplaced";
-        case BlockFate::Sifted: return "sifted";
-        case BlockFate::Eliminated: return "eliminated";
-        case BlockFate::Ground: return "ground";
-        case BlockFate::Obstacle: return "obstacle";
-        case BlockFate::Unsupported: return "unsupported";
-        case BlockFate::Unjudged: return "unjudged";
+        case BlockFate::Unplaced:
+            return "unplaced";
+        case BlockFate::Sifted:
+            return "sifted";
+        case BlockFate::Eliminated:
+            return "eliminated";
+        case BlockFate::Ground:
+            return "ground";
+        case BlockFate::Obstacle:
+            return "obstacle";
+        case BlockFate::Unsupported:
+            return "unsupported";
+        case BlockFate::Unjudged:
+            return "unjudged";
     }
     return "unknown";
 }

@@ -7,12 +7,12 @@ namespace flownav {
 /// Where the camera sits on the robot. The robot frame is MRPT's: x forward, y left, z up, its origin on the
 /// ground below the axis the robot turns about.
 struct CameraMount {
-    double height_m = 0.9;    ///< H, over the ground; > 0
-    double pitch_rad = 0.0;   ///< rho, > 0 looks down
-    double roll_rad = 0.0;    ///< > 0 tilts the camera to its right (clockwise seen from behind)
-    double yaw_rad = 0.0;     ///< > 0 looks to the left of straight ahead
-    double forward_m = 0.0;   ///< ahead of the axis
-    double left_m = 0.0;      ///< beside the axis
+    double height_m = 0.9;   ///< H, over the ground; > 0
+    double pitch_rad = 0.0;  ///< rho, > 0 looks down
+    double roll_rad = 0.0;   ///< > 0 tilts the camera to its right (clockwise seen from behind)
+    double yaw_rad = 0.0;    ///< > 0 looks to the left of straight ahead
+    double forward_m = 0.0;  ///< ahead of the axis
+    double left_m = 0.0;     ///< beside the axis
 };
 
 /// Intrinsics, Brown-Conrady distortion and mount of the camera that took ONE image. A field of an interlaced
@@ -28,8 +28,8 @@ struct CameraModel {
     CameraMount mount;
 };
 
-/// Normalised coordinates (x right, y DOWN) of a pixel in the LEVEL camera: undistorted, and with roll and yaw
-/// of the mount rotated away, so that only the pitch rho is left. This is the only place where lens and
+/// Normalised coordinates (x right, y DOWN) of a pixel in the LEVEL camera: undistorted, and with roll and
+/// yaw of the mount rotated away, so that only the pitch rho is left. This is the only place where lens and
 /// mounting angles enter the equations.
 class RayMapper {
   public:

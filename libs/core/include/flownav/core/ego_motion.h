@@ -4,15 +4,15 @@ namespace flownav {
 
 /// Motion of the robot from the reference field to a newer one.
 struct EgoMotion {
-    double omega_rad = 0.0;          ///< turn about the robot's axis, > 0 to the LEFT
-    double pitch_rad = 0.0;          ///< turn about the camera's x axis, > 0 raises the camera's view
-    double forward_m = 0.0;          ///< T, chord of the robot's axis, > 0 forward
-    double sigma_omega_rad = 0.0;    ///< standard error of omega
-    double sigma_forward_m = 0.0;    ///< standard error of T
-    bool omega_measured = false;     ///< false: omega is the prediction
-    bool forward_measured = false;   ///< false: T was carried over
-    int inliers = 0;                 ///< vectors that support omega
-    int ground_window = 0;           ///< vectors that support T
+    double omega_rad = 0.0;         ///< turn about the robot's axis, > 0 to the LEFT
+    double pitch_rad = 0.0;         ///< turn about the camera's x axis, > 0 raises the camera's view
+    double forward_m = 0.0;         ///< T, chord of the robot's axis, > 0 forward
+    double sigma_omega_rad = 0.0;   ///< standard error of omega
+    double sigma_forward_m = 0.0;   ///< standard error of T
+    bool omega_measured = false;    ///< false: omega is the prediction
+    bool forward_measured = false;  ///< false: T was carried over
+    int inliers = 0;                ///< vectors that support omega
+    int ground_window = 0;          ///< vectors that support T
 };
 
 }  // namespace flownav

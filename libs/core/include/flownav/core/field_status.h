@@ -12,9 +12,8 @@ enum class FieldStatus {
     BadField,   ///< black, saturated or constant: not a picture
 };
 
-constexpr std::array<FieldStatus, 5> all_field_statuses = {FieldStatus::Ok, FieldStatus::Waiting,
-                                                           FieldStatus::Lost, FieldStatus::NoTexture,
-                                                           FieldStatus::BadField};
+constexpr std::array<FieldStatus, 5> all_field_statuses = {
+    FieldStatus::Ok, FieldStatus::Waiting, FieldStatus::Lost, FieldStatus::NoTexture, FieldStatus::BadField};
 
 /// The word of a status, as egomotion.csv has it.
 const char* to_string(FieldStatus status);

@@ -6,8 +6,8 @@ namespace flownav {
 /// A point of an obstacle, in the ROBOT frame (x forward, y left, z up) at the end of its cycle.
 struct ObstaclePoint {
     Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
-    double sigma_m = 0.0;                               ///< standard deviation of the range
-    Eigen::Vector2d at_px = Eigen::Vector2d::Zero();    ///< its block's place in the cycle's LAST field
+    double sigma_m = 0.0;                             ///< standard deviation of the range
+    Eigen::Vector2d at_px = Eigen::Vector2d::Zero();  ///< its block's place in the cycle's LAST field
 };
 
 /// A patch of floor that was seen to be floor: a short segment on the ground along the line of sight, in the

@@ -10,10 +10,10 @@ enum class Subpixel {
 };
 
 struct FlowParams {
-    int blocks = 350;                ///< how many 16x16 blocks are placed; 16..2000
+    int blocks = 350;  ///< how many 16x16 blocks are placed; 16..2000
     Subpixel subpixel = Subpixel::V;
-    double confidence_min = 0.06;    ///< a match below is sifted; (second - min) / second, 0..1
-    double blind_cone = 0.25;        ///< no blocks where |e| is below: the cone around the focus of expansion
+    double confidence_min = 0.06;  ///< a match below is sifted; (second - min) / second, 0..1
+    double blind_cone = 0.25;      ///< no blocks where |e| is below: the cone around the focus of expansion
 };
 
 }  // namespace flownav

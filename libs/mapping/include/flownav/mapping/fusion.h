@@ -13,9 +13,9 @@ namespace flownav {
 /// What one cycle of the sensor saw, and from where.
 struct ObstacleSet {
     double timestamp_s = 0.0;
-    Pose2 T_map_robot;                    ///< robot pose in the map's frame
-    std::vector<ObstaclePoint> points;    ///< robot frame
-    std::vector<GroundPatch> ground;      ///< robot frame
+    Pose2 T_map_robot;                  ///< robot pose in the map's frame
+    std::vector<ObstaclePoint> points;  ///< robot frame
+    std::vector<GroundPatch> ground;    ///< robot frame
 };
 
 /// Map of a whole drive: every set fused into one grid in the frame of the start pose.
@@ -30,8 +30,9 @@ class DriveMap {
     mrpt::maps::COccupancyGridMap2D grid_;
 };
 
-/// Map around the robot, x forward and y left, fused from the sets of the last `memory_s` seconds after moving
-/// each by the motion since. Rebuilt from that history, so that rolling and forgetting need no code of their own.
+/// Map around the robot, x forward and y left, fused from the sets of the last `memory_s` seconds after
+/// moving each by the motion since. Rebuilt from that history, so that rolling and forgetting need no code of
+/// their own.
 class LocalMap {
   public:
     explicit LocalMap(const MapParams& params);

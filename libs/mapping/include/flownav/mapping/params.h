@@ -3,9 +3,9 @@
 namespace flownav {
 
 struct MapParams {
-    double resolution_m = 0.1;   ///< edge of a cell
-    double size_m = 10.0;        ///< edge of the local map, which keeps the robot at its centre
-    double memory_s = 6.0;       ///< the local map forgets evidence older than this
+    double resolution_m = 0.1;  ///< edge of a cell
+    double size_m = 10.0;       ///< edge of the local map, which keeps the robot at its centre
+    double memory_s = 6.0;      ///< the local map forgets evidence older than this
 };
 
 }  // namespace flownav

@@ -6,9 +6,9 @@
 namespace flownav::pipeline {
 
 struct RateParams {
-    int cycle_images = 0;       ///< r: images compared with one reference; 0: chosen from the speed ("auto")
-    double travel_m = 0.08;     ///< travel per cycle that "auto" aims at
-    double gap_max_s = 0.5;     ///< a longer pause between fields starts a new chain
+    int cycle_images = 0;    ///< r: images compared with one reference; 0: chosen from the speed ("auto")
+    double travel_m = 0.08;  ///< travel per cycle that "auto" aims at
+    double gap_max_s = 0.5;  ///< a longer pause between fields starts a new chain
 };
 
 struct Params {
@@ -16,7 +16,7 @@ struct Params {
     MotionParams motion;
     ObstacleParams obstacles;
     RateParams rate;
-    int threads = 1;            ///< of the block matching; the result does not depend on it
+    int threads = 1;  ///< of the block matching; the result does not depend on it
 };
 
 }  // namespace flownav::pipeline

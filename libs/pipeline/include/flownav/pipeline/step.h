@@ -12,15 +12,15 @@ namespace flownav::pipeline {
 
 /// Everything that is known about one block after one field.
 struct BlockRecord {
-    FlowVector vector;                                        ///< last valid measurement of this cycle
-    Eigen::Vector2d predicted_px = Eigen::Vector2d::Zero();   ///< flow the prediction expected there (ground)
-    RayFlow ray;                                              ///< `vector` on the normalised plane
-    int image_of_cycle = 0;                                   ///< image j the vector was measured in; 0: none
+    FlowVector vector;                                       ///< last valid measurement of this cycle
+    Eigen::Vector2d predicted_px = Eigen::Vector2d::Zero();  ///< flow the prediction expected there (ground)
+    RayFlow ray;                                             ///< `vector` on the normalised plane
+    int image_of_cycle = 0;                                  ///< image j the vector was measured in; 0: none
     BlockFate fate = BlockFate::Unplaced;
     bool in_ground_window = false;
-    bool fresh = false;           ///< measured in THIS field
-    double omega_rad = 0.0;       ///< Eq. (4) of this vector
-    double excess_px = 0.0;       ///< left side of Eq. (13) minus expectation, in pixels along e
+    bool fresh = false;      ///< measured in THIS field
+    double omega_rad = 0.0;  ///< Eq. (4) of this vector
+    double excess_px = 0.0;  ///< left side of Eq. (13) minus expectation, in pixels along e
 };
 
 /// How many blocks got how far in this field.
@@ -39,16 +39,16 @@ struct BlockCounts {
 struct Step {
     double timestamp_s = 0.0;
     FieldStatus status = FieldStatus::Waiting;
-    bool restarted = false;        ///< a gap, a change of camera or a loss began a new chain here
-    int image_of_cycle = 0;        ///< j: 0 for a reference without predecessor, else 1..r
-    int cycle_images = 0;          ///< r, as planned for this cycle
-    bool end_of_cycle = false;     ///< obstacles, ground patches and scan are new
-    double omega_radps = 0.0;      ///< from the previous field to this one, > 0 left
-    double pitch_rate_radps = 0.0; ///< from the previous field to this one, > 0 raises the view
-    double v_mps = 0.0;            ///< mean forward speed since the reference
-    bool v_measured = false;       ///< false: speed was carried over
-    EgoMotion motion;              ///< from the cycle's reference to this field
-    Pose2 T_start_robot;           ///< flow odometry; identity at the first field
+    bool restarted = false;         ///< a gap, a change of camera or a loss began a new chain here
+    int image_of_cycle = 0;         ///< j: 0 for a reference without predecessor, else 1..r
+    int cycle_images = 0;           ///< r, as planned for this cycle
+    bool end_of_cycle = false;      ///< obstacles, ground patches and scan are new
+    double omega_radps = 0.0;       ///< from the previous field to this one, > 0 left
+    double pitch_rate_radps = 0.0;  ///< from the previous field to this one, > 0 raises the view
+    double v_mps = 0.0;             ///< mean forward speed since the reference
+    bool v_measured = false;        ///< a cycle ended here and measured it; false: predicted or carried over
+    EgoMotion motion;               ///< from the cycle's reference to this field
+    Pose2 T_start_robot;            ///< flow odometry; identity at the first field
     BlockCounts counts;
     std::vector<BlockRecord> blocks;
     std::vector<ObstaclePoint> obstacles;  ///< robot frame at timestamp_s; only at the end of a cycle

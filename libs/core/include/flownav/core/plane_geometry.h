@@ -1,0 +1,68 @@
+#pragma once
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+#include "flownav/core/camera_model.h"
+
+namespace flownav {
+
+/// z component of the cross product of two plane vectors.
+inline double cross(const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
+    return p.x() * q.y() - p.y() * q.x();
+}
+
+/// The fields of Eq. (3) on the normalised plane of a level camera of pitch rho, a = cos rho, b = sin rho, H
+/// metres above the ground. Flow is f = (S/Z) e + omega h + pitch p. Everything is evaluated at `at` = (x,
+/// y).
+struct PlaneGeometry {
+    double a = 1.0;
+    double b = 0.0;
+    double height_m = 0.0;
+
+    PlaneGeometry() = default;
+    explicit PlaneGeometry(const CameraMount& mount)
+        : a(std::cos(mount.pitch_rad)), b(std::sin(mount.pitch_rad)), height_m(mount.height_m) {}
+
+    /// a y + b: H over the ground's depth; 0 on the horizon, negative above it.
+    double below_horizon(const Eigen::Vector2d& at) const { return a * at.y() + b; }
+
+    /// Eq. (8), as 1/Z of the ground: 0 on the horizon and above.
+    double ground_inverse_depth(const Eigen::Vector2d& at) const {
+        return std::max(0.0, below_horizon(at)) / height_m;
+    }
+
+    /// Flow direction of a camera that moves by `travel` = (forward, right of it is negative left): the field
+    /// e of Eq. (3) for pure forward travel, plus the part of a sideways swing of a camera off the axis.
+    Eigen::Vector2d e(const Eigen::Vector2d& at, const Eigen::Vector2d& travel = {1.0, 0.0}) const {
+        return {travel.x() * a * at.x() + travel.y(), travel.x() * below_horizon(at)};
+    }
+
+    /// Flow of a unit turn to the left.
+    Eigen::Vector2d h(const Eigen::Vector2d& at) const {
+        return {a * (at.x() * at.x() + 1.0) - b * at.y(), a * at.x() * at.y() + b * at.x()};
+    }
+
+    /// Flow of a unit pitch that raises the view.
+    static Eigen::Vector2d p(const Eigen::Vector2d& at) { return {at.x() * at.y(), at.y() * at.y() + 1.0}; }
+};
+
+/// Standard deviation, on the normalised plane and along the unit vector of `direction`, of a position known
+/// to one pixel in u and v.
+inline double pixel_along(const Eigen::Vector2d& direction, const CameraModel& camera) {
+    return std::hypot(direction.x() / camera.fx_px, direction.y() / camera.fy_px) / direction.norm();
+}
+
+/// The same across `direction`.
+inline double pixel_across(const Eigen::Vector2d& direction, const CameraModel& camera) {
+    return std::hypot(direction.y() / camera.fx_px, direction.x() / camera.fy_px) / direction.norm();
+}
+
+/// The part of the image where the ground right before the robot is expected to be free, so that its flow
+/// gives the speed: the lower third, less a sixth on either side.
+inline bool in_ground_window(const Eigen::Vector2d& at_px, const CameraModel& camera) {
+    return at_px.y() > camera.height_px * 2.0 / 3.0 && at_px.x() > camera.width_px / 6.0 &&
+           at_px.x() < camera.width_px * 5.0 / 6.0;
+}
+
+}  // namespace flownav

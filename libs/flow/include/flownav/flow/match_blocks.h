@@ -1,0 +1,26 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "flownav/core/flow_vector.h"
+#include "flownav/core/image_view.h"
+#include "flownav/flow/block_layout.h"
+#include "flownav/flow/kernel.h"
+#include "flownav/flow/params.h"
+
+namespace flownav {
+
+/// Part of the search window of a block (top left pixel `corner_px`) that lies inside the image when its
+/// centre is displaced by `bias_px`; empty when nothing is left.
+SearchRange clipped_range(const Eigen::Vector2i& corner_px, const Eigen::Vector2i& bias_px,
+                          const ImageView& image);
+
+/// The motion estimation processor: measures every block of the layout between two images of the same size.
+/// bias_px: displacement of each search window, one per block. `vectors` gets one entry per block; `valid` is
+/// false where no window is left in the image. The result does not depend on the number of threads.
+/// Allocates only when `vectors` has to grow.
+void match_blocks(const ImageView& reference, const ImageView& newer, const BlockLayout& layout,
+                  const std::vector<Eigen::Vector2i>& bias_px, Subpixel subpixel, const KernelEntry& kernel,
+                  int threads, std::vector<FlowVector>& vectors);
+
+}  // namespace flownav

@@ -1,0 +1,52 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "flownav/core/ego_motion.h"
+#include "flownav/core/flow_vector.h"
+#include "flownav/core/plane_geometry.h"
+#include "flownav/obstacles/params.h"
+
+namespace flownav {
+
+/// What one vector says about the place it looks at.
+struct Judgement {
+    BlockFate fate = BlockFate::Unplaced;
+    double inverse_depth = 0.0;  ///< 1/Z at the mid-point of the vector, 1/m
+    double sigma = 0.0;          ///< standard deviation of inverse_depth, 1/m
+    double excess_px = 0.0;      ///< Eq. (13): longer than on the ground by so many pixels
+};
+
+/// Eliminates by (11) and decides by (13). `noise_px` is the deviation of a vector's components.
+/// A candidate obstacle comes back as BlockFate::Unsupported until its neighbours have been asked.
+Judgement judge(const RayFlow& ray, const CameraModel& camera, const EgoMotion& motion, double noise_px,
+                const ObstacleParams& params);
+
+/// The neighbourhood filter: candidates with at least params.neighbours neighbours of about the same depth
+/// become obstacles. `neighbours`: indices of the nearest blocks of each, -1 behind the last.
+template <std::size_t N>
+void confirm_by_neighbours(std::vector<Judgement>& judgements,
+                           const std::vector<std::array<int, N>>& neighbours, const ObstacleParams& params);
+
+/// True when two depths are the same within 25 % or what their deviations allow.
+bool similar_depth(const Judgement& p, const Judgement& q);
+
+template <std::size_t N>
+void confirm_by_neighbours(std::vector<Judgement>& judgements,
+                           const std::vector<std::array<int, N>>& neighbours, const ObstacleParams& params) {
+    const auto candidate = [](const Judgement& j) {
+        return j.fate == BlockFate::Unsupported || j.fate == BlockFate::Obstacle;
+    };
+    for (std::size_t i = 0; i < judgements.size(); ++i) {
+        Judgement& own = judgements[i];
+        if (!candidate(own)) continue;
+        int agreeing = 0;
+        for (const int k : neighbours[i]) {
+            agreeing += k >= 0 && candidate(judgements[k]) && similar_depth(own, judgements[k]);
+        }
+        if (agreeing >= params.neighbours) own.fate = BlockFate::Obstacle;
+    }
+}
+
+}  // namespace flownav

@@ -1,0 +1,56 @@
+#include "flownav/obstacles/judge.h"
+
+#include <cmath>
+
+namespace flownav {
+namespace {
+
+using Eigen::Vector2d;
+
+/// Shortest travel-induced flow of the ground, in units of tau, from which "as on the ground" means anything:
+/// an obstacle at 4/5 of the depth of the ground would then exceed tau.
+constexpr double ground_evidence_tau = 4.0;
+constexpr double depth_tolerance = 0.25;
+
+}  // namespace
+
+Judgement judge(const RayFlow& ray, const CameraModel& camera, const EgoMotion& motion, double noise_px,
+                const ObstacleParams& params) {
+    const PlaneGeometry plane(camera.mount);
+    const Vector2d travel(motion.forward_m - motion.omega_rad * camera.mount.left_m,
+                          motion.omega_rad * camera.mount.forward_m);
+    const Vector2d e = plane.e(ray.at, travel);  // in metres: S e of Eq. (3)
+    Judgement j;
+    const double length = e.norm();
+    j.fate = BlockFate::Unjudged;
+    if (length < 1e-9) return j;
+    // Eq. (9)
+    const Vector2d d =
+        ray.flow - motion.omega_rad * plane.h(ray.at) - motion.pitch_rad * PlaneGeometry::p(ray.at);
+    const double one_px = pixel_along(e, camera);
+    // Eq. (10), with the travel inside e
+    j.inverse_depth = e.dot(d) / (length * length);
+    j.sigma = noise_px * one_px / length;
+    // Eq. (13)
+    const double ground = plane.ground_inverse_depth(ray.at);
+    j.excess_px = (j.inverse_depth - ground) * length / one_px;
+    // Eq. (11)
+    const double across_px = std::abs(cross(e, d)) / (length * pixel_across(e, camera));
+    if (across_px >= params.lambda_px || e.dot(d) <= 0.0) {
+        j.fate = BlockFate::Eliminated;
+    } else if (j.excess_px > params.tau_px) {
+        j.fate = BlockFate::Unsupported;
+    } else if (j.excess_px > -params.tau_px &&
+               ground * length / one_px > ground_evidence_tau * params.tau_px) {
+        j.fate = BlockFate::Ground;
+    }
+    return j;
+}
+
+bool similar_depth(const Judgement& p, const Judgement& q) {
+    const double difference = std::abs(p.inverse_depth - q.inverse_depth);
+    return difference < std::max(depth_tolerance * std::max(p.inverse_depth, q.inverse_depth),
+                                 2.0 * std::hypot(p.sigma, q.sigma));
+}
+
+}  // namespace flownav

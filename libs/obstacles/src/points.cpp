@@ -1,0 +1,55 @@
+#include "flownav/obstacles/points.h"
+
+#include <cmath>
+
+namespace flownav {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double half_block_px = 8.0;
+constexpr double worthless_sigma = 1.0 / 3.0;  // of the range
+constexpr double below_horizon_min = 0.02;
+
+std::optional<Vector2d> ground_point(const Vector2d& at_px, const RayMapper& mapper) {
+    const PlaneGeometry plane(mapper.camera().mount);
+    const Vector2d at = mapper.ray(at_px);
+    if (plane.below_horizon(at) < below_horizon_min) return std::nullopt;
+    return point_in_robot(at, 1.0 / plane.ground_inverse_depth(at), mapper.camera().mount).head<2>();
+}
+
+}  // namespace
+
+Vector3d point_in_robot(const Vector2d& at, double depth_m, const CameraMount& mount) {
+    const PlaneGeometry plane(mount);
+    return {mount.forward_m + depth_m * (plane.a - plane.b * at.y()), mount.left_m - depth_m * at.x(),
+            mount.height_m - depth_m * plane.below_horizon(at)};
+}
+
+std::optional<ObstaclePoint> obstacle_point(const RayFlow& ray, const Judgement& judgement,
+                                            const Vector2d& last_at_px, const Pose2& T_end_mid,
+                                            const CameraMount& mount, double sigma_travel_relative,
+                                            const ObstacleParams& params) {
+    const double relative = std::hypot(judgement.sigma / judgement.inverse_depth, sigma_travel_relative);
+    const Vector3d p = point_in_robot(ray.at, 1.0 / judgement.inverse_depth, mount);
+    const double range = p.head<2>().norm();
+    if (!(relative < worthless_sigma) || range > params.range_max_m || p.z() > params.height_max_m) {
+        return std::nullopt;
+    }
+    ObstaclePoint point;
+    point.position_m << transform(T_end_mid, p.head<2>()), p.z();
+    point.sigma_m = relative * range;
+    point.at_px = last_at_px;
+    return point;
+}
+
+std::optional<GroundPatch> ground_patch(const Vector2d& centre_px, const RayMapper& reference,
+                                        const Pose2& T_end_reference, double range_max_m) {
+    const auto near = ground_point(centre_px + Vector2d(0, half_block_px), reference);
+    const auto far = ground_point(centre_px - Vector2d(0, half_block_px), reference);
+    if (!near || !far || far->norm() > range_max_m) return std::nullopt;
+    return GroundPatch{transform(T_end_reference, *near), transform(T_end_reference, *far)};
+}
+
+}  // namespace flownav

@@ -1,0 +1,74 @@
+#include "flownav/obstacles/virtual_scan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flownav/core/plane_geometry.h"
+
+namespace flownav {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double floor_gap_m = 0.5;
+constexpr double rad = M_PI / 180.0;
+
+double bearing_of(const Vector2d& p) {
+    return std::atan2(p.y(), p.x());
+}
+
+int beam_of(const VirtualScan& scan, double bearing_rad) {
+    const double i = std::floor((bearing_rad - scan.first_bearing_rad) / scan.step_rad + 0.5);
+    return i >= 0 && i < static_cast<double>(scan.beams.size()) ? static_cast<int>(i) : -1;
+}
+
+/// Floor extends a beam that it touches without a large gap.
+void extend_by_floor(Beam& beam, double near_m, double far_m) {
+    if (beam.kind == BeamKind::Obstacle) return;
+    if (beam.kind == BeamKind::Unknown) {
+        beam = {BeamKind::Free, far_m};
+    } else if (near_m <= beam.range_m + floor_gap_m) {
+        beam.range_m = std::max(beam.range_m, far_m);
+    }
+}
+
+}  // namespace
+
+VirtualScan scan_layout(const RayMapper& mapper, const ObstacleParams& params) {
+    const CameraModel& c = mapper.camera();
+    const PlaneGeometry plane(c.mount);
+    double widest_rad = 0.0;
+    for (const double u : {0.0, c.width_px - 1.0}) {
+        for (const double v : {0.0, c.height_px - 1.0}) {
+            const Vector2d at = mapper.ray({u, v});
+            widest_rad = std::max(widest_rad, std::abs(std::atan2(at.x(), plane.a - plane.b * at.y())));
+        }
+    }
+    VirtualScan scan;
+    scan.step_rad = params.beam_deg * rad;
+    const int half = std::max(1, static_cast<int>(std::ceil(widest_rad / scan.step_rad)));
+    scan.first_bearing_rad = -half * scan.step_rad;
+    scan.beams.resize(2 * half + 1);
+    return scan;
+}
+
+void fill_scan(VirtualScan& scan, const std::vector<ObstaclePoint>& points,
+               std::vector<GroundPatch>& patches) {
+    std::fill(scan.beams.begin(), scan.beams.end(), Beam{});
+    for (const ObstaclePoint& point : points) {
+        const Vector2d p = point.position_m.head<2>();
+        const int i = beam_of(scan, bearing_of(p));
+        if (i < 0) continue;
+        Beam& beam = scan.beams[i];
+        if (beam.kind != BeamKind::Obstacle || p.norm() < beam.range_m) beam = {BeamKind::Obstacle, p.norm()};
+    }
+    std::sort(patches.begin(), patches.end(), [](const GroundPatch& p, const GroundPatch& q) {
+        return p.near_m.squaredNorm() < q.near_m.squaredNorm();
+    });
+    for (const GroundPatch& patch : patches) {
+        const int i = beam_of(scan, bearing_of((patch.near_m + patch.far_m) / 2));
+        if (i >= 0) extend_by_floor(scan.beams[i], patch.near_m.norm(), patch.far_m.norm());
+    }
+}
+
+}  // namespace flownav

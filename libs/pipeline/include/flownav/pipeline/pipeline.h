@@ -1,0 +1,34 @@
+#pragma once
+#include <memory>
+
+#include "flownav/core/field.h"
+#include "flownav/pipeline/params.h"
+#include "flownav/pipeline/step.h"
+
+namespace flownav::pipeline {
+
+/// Everything that outlives a field: the held fields, the block layout, the rates for the next prediction,
+/// the measurements of the running cycle, and the record of the last step. Movable, not copyable.
+class State {
+  public:
+    explicit State(const Params& params);
+    ~State();
+    State(State&&) noexcept;
+    State& operator=(State&&) noexcept;
+
+    struct Impl;
+    Impl& impl() { return *impl_; }
+
+  private:
+    std::unique_ptr<Impl> impl_;
+};
+
+/// The sentence: field -> flow -> ego-motion -> obstacles. Fields must come with rising time stamps. The
+/// record lives in the state and is valid until the next call; its vectors are reused, so that nothing is
+/// allocated in steady state. Never throws on bad images: the record's status says what is wrong.
+const Step& step(State& state, const Field& field);
+
+/// Name of the block matching kernel in use.
+const char* kernel_name();
+
+}  // namespace flownav::pipeline

@@ -1,0 +1,50 @@
+#pragma once
+#include <vector>
+
+#include "flownav/core/field.h"
+#include "flownav/flow/block_layout.h"
+#include "flownav/flow/kernel.h"
+#include "flownav/flow/match_blocks.h"
+#include "flownav/motion/estimate_motion.h"
+#include "flownav/pipeline/params.h"
+
+namespace flownav::pipeline {
+
+/// A field that is held, with the mapping of its own camera.
+struct HeldField {
+    Field field;
+    RayMapper mapper;
+};
+
+/// Flow and ego-motion between two fields, with all intermediate products; one entry a block. Reused from
+/// field to field, so that nothing is allocated.
+struct Measurement {
+    std::vector<Eigen::Vector2d> predicted_px;
+    std::vector<Eigen::Vector2i> bias_px;
+    std::vector<FlowVector> vectors;
+    std::vector<RayFlow> rays;          ///< of the vectors that passed sifting
+    std::vector<MotionSample> samples;  ///< the same, without gaps
+    MotionScratch scratch;
+    MotionEstimate estimate;
+    int placed = 0;
+};
+
+/// What a measurement needs to know besides the fields.
+struct MeasureContext {
+    const Params& params;
+    const KernelEntry& kernel;
+};
+
+/// True when a vector is worth using.
+bool is_confident(const FlowVector& vector, const FlowParams& params);
+
+/// Matches the blocks with their windows where the prediction expects the ground, and estimates the motion.
+void measure(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
+             const MotionPrediction& prediction, const MeasureContext& context, Measurement& m);
+
+/// Searches turns and speeds far beyond what one search window reaches, by windows slid along h and along e.
+/// Returns the motion with the most support; m holds the last trial afterwards.
+MotionPrediction search_motion(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
+                               const MeasureContext& context, Measurement& m);
+
+}  // namespace flownav::pipeline

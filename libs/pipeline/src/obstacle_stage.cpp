@@ -1,0 +1,69 @@
+#include "obstacle_stage.h"
+
+#include "flownav/obstacles/points.h"
+#include "flownav/obstacles/virtual_scan.h"
+
+namespace flownav::pipeline {
+namespace {
+
+/// Pose of the robot `share` of the way through a motion, in the frame where it began.
+Pose2 part_of(const EgoMotion& motion, double share) {
+    return along_arc(share * motion.omega_rad, share * motion.forward_m);
+}
+
+double relative_travel_error(const EgoMotion& motion) {
+    return motion.sigma_forward_m / std::max(std::abs(motion.forward_m), 1e-6);
+}
+
+void count_fate(BlockCounts& counts, BlockFate fate) {
+    counts.ground += fate == BlockFate::Ground;
+    counts.obstacle += fate == BlockFate::Obstacle;
+    counts.eliminated += fate == BlockFate::Eliminated;
+    counts.unsupported += fate == BlockFate::Unsupported;
+}
+
+}  // namespace
+
+void judge_blocks(State::Impl& s) {
+    const CameraModel& camera = s.reference.field.camera;
+    for (std::size_t i = 0; i < s.layout.size(); ++i) {
+        const BlockRecord& block = s.step.blocks[i];
+        s.judgements[i] = {};
+        s.judgements[i].fate = block.fate;
+        if (block.image_of_cycle == 0) continue;
+        const ImageOfCycle& image = s.cycle[block.image_of_cycle - 1];
+        s.judgements[i] = judge(block.ray, camera, image.motion, image.noise_px, s.params.obstacles);
+    }
+    confirm_by_neighbours(s.judgements, s.layout.neighbours, s.params.obstacles);
+    for (std::size_t i = 0; i < s.layout.size(); ++i) {
+        s.step.blocks[i].fate = s.judgements[i].fate;
+        s.step.blocks[i].excess_px = s.judgements[i].excess_px;
+        count_fate(s.step.counts, s.judgements[i].fate);
+    }
+}
+
+void publish_obstacles(State::Impl& s) {
+    const Pose2 T_end_reference = inverse(part_of(s.cycle.back().motion, 1.0));
+    const CameraMount& mount = s.reference.field.camera.mount;
+    Step& out = s.step;
+    out.end_of_cycle = true;
+    for (std::size_t i = 0; i < s.layout.size(); ++i) {
+        const BlockRecord& block = out.blocks[i];
+        if (block.image_of_cycle == 0) continue;
+        const EgoMotion& motion = s.cycle[block.image_of_cycle - 1].motion;
+        if (block.fate == BlockFate::Obstacle) {
+            const Pose2 T_end_mid = compose(T_end_reference, part_of(motion, 0.5));
+            const auto point =
+                obstacle_point(block.ray, s.judgements[i], block.vector.at_px + block.vector.flow_px,
+                               T_end_mid, mount, relative_travel_error(motion), s.params.obstacles);
+            if (point) out.obstacles.push_back(*point);
+        } else if (block.fate == BlockFate::Ground) {
+            const auto patch = ground_patch(block.vector.at_px, s.reference.mapper, T_end_reference,
+                                            s.params.obstacles.range_max_m);
+            if (patch) out.ground.push_back(*patch);
+        }
+    }
+    fill_scan(out.scan, out.obstacles, out.ground);
+}
+
+}  // namespace flownav::pipeline

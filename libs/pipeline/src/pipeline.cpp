@@ -1,0 +1,197 @@
+#include "flownav/pipeline/pipeline.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "field_quality.h"
+#include "flownav/obstacles/virtual_scan.h"
+#include "obstacle_stage.h"
+#include "rate_control.h"
+#include "state.h"
+
+namespace flownav::pipeline {
+namespace {
+
+using Eigen::Vector2d;
+using Impl = State::Impl;
+
+constexpr int confident_min = 16;         // vectors; with fewer there is no texture to speak of
+constexpr double inlier_share_min = 0.5;  // of the confident vectors; below the motion is lost
+constexpr double supported_share = 0.4;   // of the placed blocks; below a search may find something better
+constexpr std::size_t coarse_step = 3;    // the search looks at every third block
+
+double seconds_since_reference(const Impl& s) {
+    return s.newest.field.timestamp_s - s.reference.field.timestamp_s;
+}
+
+MotionPrediction predict(const Impl& s, double since_last_s) {
+    MotionPrediction p;
+    p.omega_rad = s.rates.omega_radps * since_last_s;
+    p.forward_m = s.rates.v_mps * seconds_since_reference(s);
+    if (!s.cycle.empty()) {
+        p.omega_rad += s.cycle.back().motion.omega_rad;
+        p.pitch_rad = s.cycle.back().motion.pitch_rad;
+    }
+    return p;
+}
+
+/// The newest field becomes the reference of a new cycle.
+void begin_cycle(Impl& s) {
+    std::swap(s.reference, s.newest);
+    s.cycle.clear();
+    s.has_reference = true;
+    s.T_start_reference = s.step.T_start_robot;
+    for (BlockRecord& block : s.step.blocks) block.image_of_cycle = 0;
+}
+
+void new_layout(Impl& s) {
+    s.layout = place_blocks(s.newest.mapper, s.params.flow);
+    s.coarse_layout = every_nth(s.layout, coarse_step);
+    s.judgements.resize(s.layout.size());
+    s.step.blocks.assign(s.layout.size(), {});
+    s.step.scan = scan_layout(s.newest.mapper, s.params.obstacles);
+}
+
+/// A new chain: nothing before this field can be compared with it.
+void restart(Impl& s, bool new_camera) {
+    if (new_camera) new_layout(s);
+    s.step.restarted = s.has_reference;
+    s.step.status = FieldStatus::Waiting;
+    s.rates = {};
+    begin_cycle(s);
+}
+
+/// Measures with the predicted motion; where that finds little support, with the best of a wide search.
+void measure_newest(Impl& s, const MotionPrediction& prediction) {
+    const MeasureContext context{s.params, *s.kernel};
+    measure(s.reference, s.newest, s.layout, prediction, context, s.measured);
+    if (s.measured.estimate.motion.inliers >= supported_share * s.measured.placed) return;
+    const MotionPrediction found = search_motion(s.reference, s.newest, s.coarse_layout, context, s.trial);
+    measure(s.reference, s.newest, s.layout, found, context, s.trial);
+    if (s.trial.estimate.motion.inliers > s.measured.estimate.motion.inliers) std::swap(s.trial, s.measured);
+}
+
+/// Enters the vectors into the block records; a block without a good one keeps the last of the cycle.
+void record_vectors(Impl& s) {
+    const PlaneGeometry plane(s.reference.field.camera.mount);
+    s.step.counts.placed = s.measured.placed;
+    s.step.counts.confident = static_cast<int>(s.measured.samples.size());
+    for (std::size_t i = 0; i < s.layout.size(); ++i) {
+        BlockRecord& block = s.step.blocks[i];
+        const FlowVector& vector = s.measured.vectors[i];
+        block.in_ground_window = s.layout.in_ground_window[i] != 0;
+        block.predicted_px = s.measured.predicted_px[i];
+        block.fresh = is_confident(vector, s.params.flow);
+        if (!block.fresh && block.image_of_cycle > 0) continue;
+        block.vector = vector;
+        block.ray = s.measured.rays[i];
+        block.fate = block.fresh    ? BlockFate::Unjudged
+                     : vector.valid ? BlockFate::Sifted
+                                    : BlockFate::Unplaced;
+        block.image_of_cycle = block.fresh ? s.step.image_of_cycle : 0;
+        block.omega_rad = block.fresh ? omega_of(block.ray, plane, {1.0, 0.0}) : 0.0;
+    }
+}
+
+FieldStatus status_of(const Measurement& m) {
+    const int confident = static_cast<int>(m.samples.size());
+    if (confident < confident_min) return FieldStatus::NoTexture;
+    return m.estimate.motion.inliers < inlier_share_min * confident ? FieldStatus::Lost : FieldStatus::Ok;
+}
+
+/// Takes the measured motion, or the prediction where there is none to trust.
+void accept_motion(Impl& s, const MotionPrediction& prediction) {
+    Step& out = s.step;
+    const EgoMotion& measured = s.measured.estimate.motion;
+    out.status = status_of(s.measured);
+    out.motion = measured;
+    if (out.status != FieldStatus::Ok) {
+        out.motion = EgoMotion{};
+        out.motion.omega_rad = prediction.omega_rad;
+        out.motion.pitch_rad = prediction.pitch_rad;
+        out.motion.forward_m = prediction.forward_m;
+    }
+    out.counts.inliers = measured.inliers;
+    out.counts.ground_window = measured.ground_window;
+    s.cycle.push_back({out.motion, s.measured.estimate.noise_px});
+}
+
+/// Rates and odometry from the motion since the reference.
+void publish_motion(Impl& s, double since_last_s) {
+    Step& out = s.step;
+    const EgoMotion before = s.cycle.size() > 1 ? s.cycle[s.cycle.size() - 2].motion : EgoMotion{};
+    out.omega_radps = (out.motion.omega_rad - before.omega_rad) / since_last_s;
+    out.pitch_rate_radps = (out.motion.pitch_rad - before.pitch_rad) / since_last_s;
+    out.v_mps = out.motion.forward_m / seconds_since_reference(s);
+    out.v_measured = out.motion.forward_measured && out.image_of_cycle >= out.cycle_images;
+    out.T_start_robot = compose(s.T_start_reference, along_arc(out.motion.omega_rad, out.motion.forward_m));
+    s.rates = {out.omega_radps, out.v_mps};
+}
+
+/// A field that shows nothing: the rates carry the odometry on, the reference stays.
+void carry_over(Impl& s, double since_last_s) {
+    Step& out = s.step;
+    out.status = FieldStatus::BadField;
+    out.omega_radps = s.rates.omega_radps;
+    out.v_mps = s.rates.v_mps;
+    out.T_start_robot =
+        compose(out.T_start_robot, along_arc(out.omega_radps * since_last_s, out.v_mps * since_last_s));
+}
+
+void clear_outputs(Step& out) {
+    out.restarted = out.end_of_cycle = out.v_measured = false;
+    out.image_of_cycle = 0;
+    out.omega_radps = out.pitch_rate_radps = out.v_mps = 0.0;
+    out.motion = EgoMotion{};
+    out.counts = BlockCounts{};
+    out.obstacles.clear();
+    out.ground.clear();
+    for (BlockRecord& block : out.blocks) block.fresh = false;
+}
+
+}  // namespace
+
+State::State(const Params& params) : impl_(std::make_unique<Impl>()) {
+    impl_->params = params;
+    impl_->kernel = &select_kernel();
+}
+State::~State() = default;
+State::State(State&&) noexcept = default;
+State& State::operator=(State&&) noexcept = default;
+
+const Step& step(State& state, const Field& field) {
+    Impl& s = state.impl();
+    const double since_last_s = s.has_reference ? field.timestamp_s - s.step.timestamp_s : 0.0;
+    clear_outputs(s.step);
+    s.step.timestamp_s = field.timestamp_s;
+    if (!is_picture(field.image)) {
+        carry_over(s, since_last_s);
+        return s.step;
+    }
+    s.newest = {field, RayMapper(field.camera)};
+    const bool new_camera = !s.has_reference || !same_geometry(s.reference.field.camera, field.camera);
+    if (new_camera || since_last_s > s.params.rate.gap_max_s) {
+        restart(s, new_camera);
+        return s.step;
+    }
+    s.step.image_of_cycle = static_cast<int>(s.cycle.size()) + 1;
+    s.step.cycle_images = plan_cycle(s.params.rate, s.rates.v_mps * since_last_s);
+
+    const MotionPrediction prediction = predict(s, since_last_s);
+    measure_newest(s, prediction);
+    record_vectors(s);
+    accept_motion(s, prediction);
+    publish_motion(s, since_last_s);
+    judge_blocks(s);
+    if (s.step.image_of_cycle >= s.step.cycle_images) {
+        publish_obstacles(s);
+        begin_cycle(s);
+    }
+    return s.step;
+}
+
+const char* kernel_name() {
+    return select_kernel().name;
+}
+
+}  // namespace flownav::pipeline

@@ -1,0 +1,45 @@
+#pragma once
+#include <vector>
+
+#include "flownav/flow/block_layout.h"
+#include "flownav/obstacles/judge.h"
+#include "flownav/pipeline/pipeline.h"
+#include "measure.h"
+
+namespace flownav::pipeline {
+
+/// Motion from the reference to one image of the cycle.
+struct ImageOfCycle {
+    EgoMotion motion;
+    double noise_px = 0.0;
+};
+
+/// Rates that predict the next motion.
+struct Rates {
+    double omega_radps = 0.0;
+    double v_mps = 0.0;
+};
+
+struct State::Impl {
+    Params params;
+    const KernelEntry* kernel = nullptr;
+
+    // The ring: the reference is frozen for a cycle, the newest is compared with it and follows it; the third
+    // field of [P] 4.3 is the one that the caller is filling.
+    HeldField reference;
+    HeldField newest;
+    bool has_reference = false;
+
+    BlockLayout layout;
+    BlockLayout coarse_layout;  ///< every few blocks of it, for the search without prediction
+    Rates rates;
+    Pose2 T_start_reference;
+    std::vector<ImageOfCycle> cycle;  ///< images 1..j of the running cycle
+
+    Measurement measured;  ///< of the newest field
+    Measurement trial;     ///< of a hypothesis
+    std::vector<Judgement> judgements;
+    Step step;
+};
+
+}  // namespace flownav::pipeline
