@@ -1,7 +1,9 @@
 #pragma once
 #include <mrpt/math/TPose3D.h>
+#include <mrpt/obs/CObservationImage.h>
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -27,21 +29,26 @@ using ReplayEvent = std::variant<Field, PoseSample>;
 /// What was read, and what was left out and why.
 struct InputCounts {
     std::uint64_t objects = 0;
-    std::uint64_t images = 0;        ///< of the camera's label
-    std::uint64_t fields = 0;        ///< handed out
-    std::uint64_t odometry = 0;
-    std::uint64_t ground_truth = 0;
-    std::uint64_t ignored = 0;       ///< observations of other labels and classes
-    std::map<std::string, std::uint64_t> rejected;  ///< by reason: time_backwards, time_repeated, image_missing, ...
+    std::uint64_t images = 0;                           ///< of the camera's label
+    std::uint64_t fields = 0;                           ///< handed out
+    std::uint64_t odometry = 0;                         ///< handed out
+    std::uint64_t ground_truth = 0;                     ///< handed out
+    std::uint64_t ignored = 0;                          ///< observations of other labels and classes
+    std::map<std::string, std::uint64_t> rejected;      ///< by reason, see FieldSource
+    std::map<std::string, std::uint64_t> warnings;      ///< used all the same: image_size_changed, ...
+    std::map<std::string, std::uint64_t> observations;  ///< everything read, by "class label"
 };
 
 /// Turns the observations of a rawlog into fields and poses: applies the calibration (ini over recording),
-/// converts colour to grey, splits woven frames, rejects what cannot be used and counts why.
+/// converts colour to grey, splits woven frames, rejects what cannot be used and counts why:
+/// time_invalid, time_repeated, time_backwards, image_missing (external file), image_unreadable, image_empty,
+/// image_not_8bit; for poses odometry_... and ground_truth_... time_invalid, time_repeated, time_backwards
+/// and not_finite. Fields of unaltered grey images are views of the recording; nothing is copied.
 class FieldSource {
   public:
     FieldSource(RawlogReader& reader, const CameraConfig& camera);
 
-    /// The next event, or nothing at the end of the rawlog.
+    /// The next event, or nothing at the end of the rawlog. Times rise strictly within each kind of event.
     /// Throws ConfigError: an image without calibration (names the keys to set), or a camera pose that cannot
     /// be used (height not positive, looking up, roll or yaw over 10 degrees).
     std::optional<ReplayEvent> next();
@@ -49,9 +56,23 @@ class FieldSource {
     const InputCounts& counts() const { return counts_; }
 
   private:
+    void consume(const mrpt::obs::CObservation::Ptr& observation);
+    void consume_image(const mrpt::obs::CObservationImage::Ptr& image);
+    void consume_pose(const PoseSample& sample, const std::string& kind);
+    bool accept_time(const std::string& kind, double timestamp_s);
+    void split(const Field& frame);
+    void release_second_half(std::optional<double> next_frame_s);
+    void note_changes(const Field& frame, const mrpt::obs::CObservationImage& image);
+
     RawlogReader& reader_;
     CameraConfig camera_;
     InputCounts counts_;
+    std::map<std::string, double> last_time_s_;  ///< of each kind of event
+    std::optional<CameraModel> last_camera_;
+    std::deque<ReplayEvent> waiting_;
+    std::optional<Field>
+        second_half_;  ///< of a woven frame, with the frame's time until the next frame tells the period
+    std::deque<double> intervals_s_;  ///< the latest intervals between woven frames
 };
 
 }  // namespace flownav

@@ -24,14 +24,16 @@ struct ReadEnd {
         UnknownClass,  ///< an object of a class this program does not know: nothing after it can be read
     };
     Kind kind = Kind::NotYet;
-    std::string message;              ///< what and where, for people; empty when clean
-    std::uint64_t objects_read = 0;   ///< whole objects before the end
-    std::uint64_t byte_offset = 0;    ///< of the uncompressed stream, after the last whole object
+    std::string message;             ///< what and where, for people; empty when clean
+    std::uint64_t objects_read = 0;  ///< whole objects before the end
+    std::uint64_t byte_offset = 0;   ///< of the uncompressed stream, after the last whole object
 };
 
-/// Reads the observations of a rawlog one after the other, whatever its kind (observation list, sensory frames,
-/// both mixed), gz or plain. Never holds more than one object of the file. Unlike MRPT's own reader it tells a clean end from a
-/// cut and from damage, and checks the gz checksum.
+/// Reads the observations of a rawlog one after the other, whatever its kind (observation list, sensory
+/// frames, both mixed), gz or plain. Never holds more than one object of the file. Unlike MRPT's own reader
+/// it tells a clean end from a cut and from damage, and checks the gz checksum. Odometry that is only
+/// recorded as actions (CActionRobotMovement2D) comes as CObservationOdometry labelled ODOMETRY, integrated
+/// from the origin.
 class RawlogReader {
   public:
     /// Throws InputError: no such file, a folder, not readable, empty, or not a rawlog.
@@ -47,6 +49,9 @@ class RawlogReader {
 
     /// Share of the file's bytes consumed, 0..1.
     double progress() const;
+
+    /// Folder that relative names of externally stored images refer to; it need not exist.
+    const std::filesystem::path& images_directory() const;
 
   private:
     struct Impl;

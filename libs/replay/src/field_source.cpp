@@ -1,0 +1,179 @@
+#include "flownav/replay/field_source.h"
+
+#include <mrpt/core/Clock.h>
+#include <mrpt/math/TPose2D.h>
+#include <mrpt/obs/CObservationOdometry.h>
+#include <mrpt/obs/CObservationRobotPose.h>
+#include <mrpt/system/datetime.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "flownav/sensor/camera_conversion.h"
+#include "grey_image.h"
+#include "weave.h"
+
+namespace flownav {
+namespace {
+
+using mrpt::obs::CObservation;
+using mrpt::obs::CObservationImage;
+using mrpt::obs::CObservationOdometry;
+using mrpt::obs::CObservationRobotPose;
+
+constexpr std::size_t intervals_kept = 9;
+constexpr double pal_frame_period_s = 0.04;  // of a single woven frame, whose period nothing tells
+
+double seconds(const CObservation& observation) {
+    const bool valid = observation.timestamp != INVALID_TIMESTAMP;
+    return valid ? mrpt::Clock::toDouble(observation.timestamp) : std::nan("");
+}
+
+bool finite(const mrpt::math::TPose3D& p) {
+    return std::isfinite(p.x + p.y + p.z + p.yaw + p.pitch + p.roll);
+}
+
+double median(const std::deque<double>& values) {
+    std::vector<double> sorted(values.begin(), values.end());
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[sorted.size() / 2];
+}
+
+PoseSample sample_of(const CObservationOdometry& odometry) {
+    return {PoseSample::Source::Odometry, seconds(odometry),
+            mrpt::math::TPose3D(odometry.odometry.asTPose())};
+}
+
+PoseSample sample_of(const CObservationRobotPose& truth) {
+    const auto pose_map_robot = truth.pose.mean + (-truth.sensorPose);
+    return {PoseSample::Source::GroundTruth, seconds(truth), pose_map_robot.asTPose()};
+}
+
+}  // namespace
+
+FieldSource::FieldSource(RawlogReader& reader, const CameraConfig& camera)
+    : reader_(reader), camera_(camera) {}
+
+std::optional<ReplayEvent> FieldSource::next() {
+    while (waiting_.empty()) {
+        const CObservation::Ptr observation = reader_.next();
+        counts_.objects = reader_.end().objects_read;
+        if (observation) {
+            consume(observation);
+            continue;
+        }
+        release_second_half(std::nullopt);
+        if (waiting_.empty()) return std::nullopt;
+    }
+    const ReplayEvent event = waiting_.front();
+    waiting_.pop_front();
+    if (std::holds_alternative<Field>(event)) ++counts_.fields;
+    return event;
+}
+
+void FieldSource::consume(const CObservation::Ptr& observation) {
+    const std::string& label = observation->sensorLabel;
+    const std::string class_name = observation->GetRuntimeClass()->className;
+    ++counts_.observations[class_name.substr(class_name.rfind(':') + 1) + " " + label];
+    const auto image = std::dynamic_pointer_cast<CObservationImage>(observation);
+    const auto odometry = std::dynamic_pointer_cast<CObservationOdometry>(observation);
+    const auto truth = std::dynamic_pointer_cast<CObservationRobotPose>(observation);
+    if (image && label == camera_.camera_label)
+        consume_image(image);
+    else if (odometry && label == "ODOMETRY")
+        consume_pose(sample_of(*odometry), "odometry_");
+    else if (truth && label == "GROUND_TRUTH")
+        consume_pose(sample_of(*truth), "ground_truth_");
+    else
+        ++counts_.ignored;
+}
+
+bool FieldSource::accept_time(const std::string& kind, double timestamp_s) {
+    const auto last = last_time_s_.find(kind);
+    const bool first = last == last_time_s_.end();
+    std::string reason;
+    if (std::isnan(timestamp_s))
+        reason = "time_invalid";
+    else if (!first && timestamp_s == last->second)
+        reason = "time_repeated";
+    else if (!first && timestamp_s < last->second)
+        reason = "time_backwards";
+    if (reason.empty())
+        last_time_s_[kind] = timestamp_s;
+    else
+        ++counts_.rejected[kind + reason];
+    return reason.empty();
+}
+
+void FieldSource::consume_pose(const PoseSample& sample, const std::string& kind) {
+    if (!finite(sample.pose)) {
+        ++counts_.rejected[kind + "not_finite"];
+        return;
+    }
+    if (!accept_time(kind, sample.timestamp_s)) return;
+    ++(sample.source == PoseSample::Source::Odometry ? counts_.odometry : counts_.ground_truth);
+    waiting_.emplace_back(sample);
+}
+
+void FieldSource::consume_image(const CObservationImage::Ptr& image) {
+    ++counts_.images;
+    const GreyImage grey = grey_image(image, reader_.images_directory());
+    const bool woven = camera_.interlaced != Interlaced::None;
+    std::string reason = grey.rejected;
+    if (reason.empty() && woven && grey.view.height_px < 2) reason = "image_empty";
+    if (!reason.empty()) {
+        ++counts_.rejected[reason];
+        return;
+    }
+    Field frame;
+    frame.timestamp_s = seconds(*image);
+    frame.camera = camera_model(*image, camera_, grey.view.width_px, grey.view.height_px);
+    if (!accept_time("", frame.timestamp_s)) return;
+    frame.image = grey.view;
+    frame.owner = grey.owner;
+    note_changes(frame, *image);
+    if (woven)
+        split(frame);
+    else
+        waiting_.emplace_back(frame);
+}
+
+void FieldSource::split(const Field& frame) {
+    release_second_half(frame.timestamp_s);
+    const bool bottom_first = camera_.interlaced == Interlaced::BottomFirst;
+    waiting_.emplace_back(field_of_frame(frame, bottom_first));
+    second_half_ = field_of_frame(frame, !bottom_first);
+}
+
+void FieldSource::release_second_half(std::optional<double> next_frame_s) {
+    if (!second_half_) return;
+    const double frame_s = second_half_->timestamp_s;
+    if (next_frame_s) intervals_s_.push_back(*next_frame_s - frame_s);
+    if (intervals_s_.size() > intervals_kept) intervals_s_.pop_front();
+    double period_s = intervals_s_.empty() ? pal_frame_period_s : median(intervals_s_);
+    // After an early frame the half still has to lie between the two.
+    if (next_frame_s) period_s = std::min(period_s, *next_frame_s - frame_s);
+    second_half_->timestamp_s = frame_s + period_s / 2;
+    waiting_.emplace_back(*second_half_);
+    second_half_.reset();
+}
+
+void FieldSource::note_changes(const Field& frame, const CObservationImage& image) {
+    const CameraModel& now = frame.camera;
+    const auto ncols = static_cast<int>(image.cameraParams.ncols);
+    const auto nrows = static_cast<int>(image.cameraParams.nrows);
+    const bool recorded_used = !camera_.fx_px || !camera_.fy_px;
+    if (recorded_used && (ncols != now.width_px || nrows != now.height_px)) {
+        ++counts_.warnings["calibration_of_another_size"];
+    }
+    if (last_camera_ &&
+        (last_camera_->width_px != now.width_px || last_camera_->height_px != now.height_px)) {
+        ++counts_.warnings["image_size_changed"];
+    } else if (last_camera_ && !same_geometry(*last_camera_, now)) {
+        ++counts_.warnings["calibration_changed"];
+    }
+    last_camera_ = now;
+}
+
+}  // namespace flownav

@@ -1,0 +1,24 @@
+#pragma once
+#include <mrpt/obs/CObservationImage.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "flownav/core/image_view.h"
+
+namespace flownav {
+
+/// The 8-bit grey pixels of a recorded image, or why there are none.
+struct GreyImage {
+    ImageView view;
+    std::shared_ptr<const void> owner;
+    std::string rejected;  ///< empty, image_missing, image_unreadable, image_empty or image_not_8bit
+};
+
+/// Embedded grey images are not copied; colour is converted; external images are loaded from their file,
+/// relative names from `images_directory`.
+GreyImage grey_image(const mrpt::obs::CObservationImage::Ptr& image,
+                     const std::filesystem::path& images_directory);
+
+}  // namespace flownav

@@ -1,0 +1,66 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace flownav {
+
+/// The uncompressed bytes of a plain or gz file. Unlike zlib's gz functions it hands out every byte in front
+/// of the damage, and it tells a cut from damage and from a wrong checksum.
+class InputBytes {
+  public:
+    enum class State {
+        Good,       ///< bytes were delivered as asked
+        End,        ///< the file is over, and all of its checksums are right
+        Truncated,  ///< the gz stream stops before its end
+        Corrupt,    ///< the gz stream is damaged, its checksum is wrong, or the disk cannot be read
+    };
+
+    /// Throws InputError: no such file, a folder, not readable, empty.
+    explicit InputBytes(const std::filesystem::path& file);
+    ~InputBytes();
+    InputBytes(const InputBytes&) = delete;
+    InputBytes& operator=(const InputBytes&) = delete;
+
+    /// Up to `count` bytes; fewer only when state() is no longer Good.
+    std::size_t read(std::uint8_t* target, std::size_t count);
+
+    State state() const { return state_; }
+    const std::string& problem() const { return problem_; }  ///< why it is Truncated or Corrupt
+    bool compressed() const { return inflater_ != nullptr; }
+
+    /// No more bytes than this can follow.
+    std::uint64_t upper_bound() const;
+
+    /// Share of the file consumed, 0..1.
+    double progress() const;
+
+  private:
+    struct Inflater;
+    struct Closer {
+        void operator()(std::FILE* f) const { std::fclose(f); }
+    };
+
+    void refill();
+    std::size_t copy_plain(std::uint8_t* target, std::size_t count);
+    std::size_t inflate_some(std::uint8_t* target, std::size_t count);
+    void start_next_member();
+    void stop(State state, const std::string& problem);
+
+    std::unique_ptr<std::FILE, Closer> file_;
+    std::unique_ptr<Inflater> inflater_;
+    std::uint64_t file_size_ = 0;
+    std::uint64_t taken_ = 0;  ///< bytes of the file that were moved into the buffer
+    std::vector<std::uint8_t> buffer_;
+    std::size_t at_ = 0;
+    std::size_t filled_ = 0;
+    bool file_over_ = false;
+    State state_ = State::Good;
+    std::string problem_;
+};
+
+}  // namespace flownav

@@ -1,0 +1,25 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace flownav {
+
+/// The beginning of a serialized MRPT object.
+struct ObjectHeader {
+    enum class Kind { Good, TooShort, Malformed };
+    Kind kind = Kind::Malformed;
+    std::string class_name;
+};
+
+/// True for text that can be the name of a C++ class.
+bool is_class_name(const std::string& name);
+
+/// Bytes a header needs at most.
+constexpr std::size_t object_header_bytes = 4 + 127;
+
+/// Reads the class name from the first bytes of an object: length | 0x80 and the name, or, before MRPT 0.5.5,
+/// a 32-bit length and the name.
+ObjectHeader parse_object_header(const std::vector<std::uint8_t>& bytes);
+
+}  // namespace flownav

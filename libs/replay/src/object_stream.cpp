@@ -1,0 +1,86 @@
+#include "object_stream.h"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+namespace flownav {
+namespace {
+
+constexpr std::uint64_t harmless_length = 1U << 20;
+constexpr std::uint64_t longest_length = 1U << 28;  // no picture or point cloud has more elements
+constexpr std::size_t growth_step = 1U << 20;
+
+/// Raw colour pictures are stored with their size negated.
+bool is_negated_size(std::uint32_t value) {
+    const auto number = static_cast<std::int32_t>(value);
+    return number >= -65536 && number <= -8;
+}
+
+}  // namespace
+
+void ObjectStream::begin_object() {
+    object_offset_ += at_;
+    object_.erase(object_.begin(), object_.begin() + static_cast<std::ptrdiff_t>(at_));
+    at_ = 0;
+    trust_ = false;
+    ran_dry_ = false;
+    doubt_.reset();
+}
+
+void ObjectStream::rewind() {
+    at_ = 0;
+    trust_ = true;
+    ran_dry_ = false;
+}
+
+std::size_t ObjectStream::make_available(std::size_t count) {
+    // Grown in steps: a bogus count must not allocate more than the file delivers.
+    while (object_.size() - at_ < count) {
+        const std::size_t old = object_.size();
+        const std::size_t step = std::min(count - (old - at_), growth_step);
+        object_.resize(old + step);
+        const std::size_t got = bytes_.read(object_.data() + old, step);
+        object_.resize(old + got);
+        if (got < step) break;
+    }
+    return std::min(count, object_.size() - at_);
+}
+
+std::vector<std::uint8_t> ObjectStream::peek(std::size_t count) {
+    const auto n = static_cast<std::ptrdiff_t>(make_available(count));
+    const auto first = object_.begin() + static_cast<std::ptrdiff_t>(at_);
+    return {first, first + n};
+}
+
+size_t ObjectStream::Read(void* target, size_t count) {
+    const std::size_t n = make_available(count);
+    if (n < count) {
+        ran_dry_ = true;
+        throw std::runtime_error("the object needs more bytes than the file has");
+    }
+    std::memcpy(target, object_.data() + at_, n);
+    if (count == 4 && !trust_) hide_implausible_length(static_cast<std::uint8_t*>(target));
+    at_ += n;
+    return n;
+}
+
+void ObjectStream::hide_implausible_length(std::uint8_t* four_bytes) {
+    std::uint32_t value = 0;
+    std::memcpy(&value, four_bytes, 4);
+    const std::uint64_t left = object_.size() - at_ + bytes_.upper_bound();
+    const std::uint64_t limit = std::clamp(left, harmless_length, longest_length);
+    if (value <= limit || is_negated_size(value)) return;
+    if (!doubt_) doubt_ = Doubt{value, getPosition()};
+    std::memset(four_bytes, 0, 4);
+}
+
+size_t ObjectStream::Write(const void* /*source*/, size_t /*count*/) {
+    throw std::logic_error("ObjectStream cannot write");
+}
+
+uint64_t ObjectStream::Seek(int64_t /*offset*/, TSeekOrigin /*origin*/) {
+    throw std::logic_error("ObjectStream cannot seek");
+}
+
+}  // namespace flownav
