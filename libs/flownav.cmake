@@ -39,6 +39,7 @@ function(flownav_library)
     install(TARGETS flownav_${LIB_NAME} EXPORT flownavTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
                                                               LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
     install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    set_property(GLOBAL APPEND PROPERTY FLOWNAV_COMPONENTS ${LIB_NAME})
 endfunction()
 
 # flownav_app(NAME replay SOURCES main.cpp ... LINKS target ...) makes the program flownav-replay.

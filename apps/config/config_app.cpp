@@ -59,6 +59,7 @@ int run_config_app(const std::vector<std::string>& arguments, std::ostream& out,
     TCLAP::SwitchArg doc("", "doc", "Print every key as a table in markdown", command);
 
     std::vector<const char*> argv;
+    argv.reserve(arguments.size());
     for (const std::string& argument : arguments) argv.push_back(argument.c_str());
     if (!command.parse(static_cast<int>(argv.size()), argv.data())) return output.failed ? 1 : 0;
     if (dump.isSet() + file.isSet() + doc.isSet() != 1) {

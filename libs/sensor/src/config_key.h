@@ -29,7 +29,8 @@ struct Doc {
     const char* help;
 };
 
-inline Key make_key(const Doc& doc, std::string range, decltype(Key::get) get, decltype(Key::set) set) {
+inline Key make_key(const Doc& doc, std::string range, const decltype(Key::get)& get,
+                    decltype(Key::set) set) {
     return {
         {doc.section, doc.name, get(Config{}), doc.unit, std::move(range), doc.help}, get, std::move(set)};
 }
@@ -68,10 +69,7 @@ Key recorded_number(const Doc& doc, Range<double> range, Place place) {
         doc, describe(range) + ", or recorded",
         [=](const Config& config) { return place(config) ? format_number(*place(config)) : "recorded"; },
         [=](Config& config, const std::string& text) {
-            if (text == "recorded")
-                place(config).reset();
-            else
-                place(config) = parse_number(text, range);
+            place(config) = text == "recorded" ? std::nullopt : std::optional(parse_number(text, range));
         });
 }
 
@@ -81,8 +79,9 @@ Key word(const Doc& doc, std::vector<std::pair<const char*, T>> words, Place pla
     std::string range;
     for (const auto& [text, value] : words) range += (range.empty() ? "" : " | ") + std::string(text);
     const auto get = [=](const Config& config) -> std::string {
-        for (const auto& [text, value] : words)
+        for (const auto& [text, value] : words) {
             if (value == place(config)) return text;
+        }
         return "";
     };
     const auto set = [=](Config& config, const std::string& wanted) {

@@ -1,10 +1,7 @@
 #include "config_key.h"
 
 // A member of a Config, whether const or not.
-#define AT(member)              \
-    [](auto& config) -> auto& { \
-        return config.member;   \
-    }
+#define AT(member) ([](auto& config) -> auto& { return (config.member); })
 
 namespace flownav::config {
 namespace {

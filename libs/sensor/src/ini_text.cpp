@@ -65,10 +65,8 @@ class Scanner {
 
     void read(int number, const std::string& line) {
         if (line.empty() || line[0] == '#' || line[0] == ';' || starts_with(line, "//")) return;
-        if (line[0] == '[')
-            read_section(number, line);
-        else
-            read_entry(number, line);
+        if (line[0] == '[') return read_section(number, line);
+        read_entry(number, line);
     }
 
     std::vector<IniEntry> entries;
@@ -90,10 +88,11 @@ class Scanner {
             fail(file_, number, "malformed line, expected [section], name = value or a comment: " + line);
         if (section_.empty()) fail(file_, number, "key " + name + " stands before the first [section]");
         const auto [earlier, is_new] = lines_.emplace(lowerCase(section_ + "." + name), number);
-        if (!is_new)
+        if (!is_new) {
             fail(file_, number,
                  "key " + section_ + "." + name + " is set a second time; first in line " +
                      std::to_string(earlier->second));
+        }
         entries.push_back({number, section_, name, values_.read_string(section_, name, "")});
     }
 

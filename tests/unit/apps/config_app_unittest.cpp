@@ -55,9 +55,10 @@ TEST(ConfigApp, ReadyInisHoldOnlyWhatDiffersFromTheDefaults) {
     for (const auto& entry : fs::directory_iterator(FLOWNAV_INI_DIR)) {
         if (entry.path().filename() == "default.ini") continue;
         const std::string text = content(entry.path());
-        for (const ConfigKey& key : config_keys())
+        for (const ConfigKey& key : config_keys()) {
             EXPECT_EQ(text.find("\n" + key.name + " = " + key.default_value + "\n"), std::string::npos)
                 << entry.path() << ": " << key.name;
+        }
     }
 }
 
