@@ -1,0 +1,146 @@
+#include "replay_app.h"
+
+#include <mrpt/3rdparty/tclap/CmdLine.h>
+
+#include <optional>
+
+#include "flownav/core/version.h"
+#include "flownav/replay/replay.h"
+#include "flownav/sensor/config.h"
+
+namespace flownav {
+
+namespace {
+
+constexpr int usage_status = static_cast<int>(ExitStatus::Usage);
+constexpr int most_threads = 64;
+
+constexpr auto help = R"(Replays a rawlog through the optic-flow sensor.
+
+flownav-replay INPUT.rawlog --output DIR [--config FILE.ini] [--set section.key=value]...
+               [--keep-images] [--threads N] [--quiet]
+
+  INPUT.rawlog              images of one camera (and odometry, ground truth), plain or gz
+  --output DIR              folder for the results; made when it is missing, old results are overwritten
+  --config FILE.ini         configuration; flownav-config --doc lists every key
+  --set section.key=value   sets one key, after the file; may be given several times
+  --keep-images             copy the fields as they were used into result.rawlog
+  --threads N               threads of the block matching, 1..64, default 1; the results do not depend on it
+  --quiet                   no progress and no closing line
+  --help, --version         print this text, or the version, and exit
+
+Writes into DIR:
+  report.html               figures, curves, map and pictures, for a web browser
+  summary.json              what was read, rejected and written; errors; configuration; timing
+  trajectory.tum            flow odometry, one pose a field: timestamp x y z qx qy qz qw
+  odometry.tum, ground_truth.tum   the same for the recording's own poses, where it has them
+  egomotion.csv             one row a field: status, turn rate, speed, counts
+  obstacles.csv             one row an obstacle point, robot frame (x forward, y left, z up; metres)
+  map.pgm, map.yaml, map.gridmap.gz   the map of the drive, for ROS and for MRPT
+  result.rawlog             odometry, FLOW_ODOMETRY, FLOW_SCAN, FLOW_POINTS for MRPT's tools
+
+Exit status:
+  0  fine
+  1  bad usage or configuration, no such input, or no image of the camera in it; nothing was written
+  2  the input is damaged, ended early or is no rawlog; all that was readable was written, and summary.json
+     says where and why reading ended
+  3  output could not be written
+)";
+
+/// TCLAP's output in our words.
+class Output : public TCLAP::StdOutput {
+  public:
+    Output(std::ostream& out, std::ostream& error) : StdOutput(out), out_(out), error_(error) {}
+
+    void usage(TCLAP::CmdLineInterface& /*command*/) override { out_ << help; }
+
+    void version(TCLAP::CmdLineInterface& command) override {
+        out_ << "flownav-replay " << command.getVersion() << '\n';
+    }
+
+    void failure(TCLAP::CmdLineInterface& /*command*/, TCLAP::ArgException& exception) override {
+        failed = true;
+        error_ << "flownav-replay: " << exception.error() << ' ' << exception.argId()
+               << "\nTry flownav-replay --help\n";
+    }
+
+    bool failed = false;
+
+  private:
+    std::ostream& out_;
+    std::ostream& error_;
+};
+
+struct CommandLine {
+    ReplayOptions options;
+    bool quiet = false;
+};
+
+/// Values of the configuration, from the file and then from --set. Throws ConfigError.
+Config configuration(const std::string& file, const std::vector<std::string>& settings, int threads) {
+    Config config;
+    if (!file.empty()) load_config_file(config, file);
+    for (const std::string& setting : settings) {
+        const auto equals = setting.find('=');
+        if (equals == std::string::npos) {
+            throw ConfigError("--set " + setting + ": needs the form section.key=value");
+        }
+        set_config_value(config, setting.substr(0, equals), setting.substr(equals + 1));
+    }
+    if (threads < 1 || threads > most_threads) {
+        throw ConfigError("--threads " + std::to_string(threads) + ": must be 1.." +
+                          std::to_string(most_threads));
+    }
+    config.pipeline.threads = threads;
+    return config;
+}
+
+/// What the arguments ask for, or nothing when they have been answered; then `status` says how.
+std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std::ostream& out,
+                                 std::ostream& error, int& status) {
+    TCLAP::CmdLine command("", ' ', version());
+    Output output(out, error);
+    command.setOutput(&output);
+    TCLAP::UnlabeledValueArg<std::string> input("input", "", true, "", "INPUT.rawlog", command);
+    TCLAP::ValueArg<std::string> folder("", "output", "", true, "", "DIR", command);
+    TCLAP::ValueArg<std::string> file("", "config", "", false, "", "FILE.ini", command);
+    TCLAP::MultiArg<std::string> settings("", "set", "", false, "section.key=value", command);
+    TCLAP::ValueArg<int> threads("", "threads", "", false, 1, "N", command);
+    TCLAP::SwitchArg keep_images("", "keep-images", "", command);
+    TCLAP::SwitchArg quiet("", "quiet", "", command);
+
+    std::vector<const char*> argv;
+    argv.reserve(arguments.size());
+    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+    if (!command.parse(static_cast<int>(argv.size()), argv.data())) {
+        status = output.failed ? usage_status : 0;
+        return std::nullopt;
+    }
+    CommandLine result;
+    result.quiet = quiet.getValue();
+    result.options.input = input.getValue();
+    result.options.output = folder.getValue();
+    result.options.config = configuration(file.getValue(), settings.getValue(), threads.getValue());
+    result.options.keep_images = keep_images.getValue();
+    if (!result.quiet) result.options.progress = Progress::style_for(stdout);
+    return result;
+}
+
+}  // namespace
+
+int run_replay_app(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& error) {
+    try {
+        int status = 0;
+        const auto command = parse(arguments, out, error, status);
+        if (!command) return status;
+        const ReplayResult result = replay(command->options);
+        if (!result.message.empty()) error << "flownav-replay: " << result.message << '\n';
+        if (!command->quiet && !result.outcome.empty()) out << result.outcome << '\n';
+        return static_cast<int>(result.status);
+    } catch (const ConfigError& exception) {
+        error << "flownav-replay: " << exception.what() << '\n';
+        return usage_status;
+    }
+}
+
+}  // namespace flownav

@@ -1,0 +1,66 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flownav/replay/annotated_field.h"
+#include "flownav/replay/field_row.h"
+#include "flownav/replay/field_source.h"
+#include "flownav/replay/metrics.h"
+#include "flownav/replay/pose_track.h"
+#include "flownav/replay/rawlog_reader.h"
+
+namespace flownav {
+
+/// What went into the output files.
+struct WrittenCounts {
+    std::uint64_t trajectory_poses = 0;
+    std::uint64_t odometry_poses = 0;
+    std::uint64_t ground_truth_poses = 0;
+    std::uint64_t egomotion_rows = 0;
+    std::uint64_t obstacle_points = 0;
+    std::uint64_t cycles = 0;                            ///< finished cycles, each a scan and a cloud
+    std::map<std::string, std::uint64_t> result_rawlog;  ///< observations by label
+};
+
+/// Where the time went, in seconds.
+struct Timing {
+    double decode_s = 0.0;
+    double step_s = 0.0;
+    double write_s = 0.0;
+    double total_s = 0.0;
+    int threads = 1;
+    std::string kernel;
+};
+
+/// Everything that is known when a drive has been replayed.
+struct Drive {
+    std::string input_name;  ///< of the file, without its folder
+    ReadEnd end;
+    std::string stop_reason;  ///< why reading stopped before the end; empty when it did not
+    InputCounts read;
+    WrittenCounts written;
+    std::vector<FieldRow> rows;
+    PoseTrack odometry;
+    PoseTrack ground_truth;
+    std::optional<Errors> odometry_errors;      ///< empty when the rawlog has no odometry
+    std::optional<Errors> ground_truth_errors;  ///< empty when the rawlog has no ground truth
+    Gallery cycle_ends;                         ///< pictures of finished cycles
+    Gallery any_fields;  ///< pictures of all fields, for drives without finished cycles
+};
+
+/// How the input ended, in one word, as summary.json has it.
+const char* end_word(const Drive& drive);
+
+/// How the input ended, in one sentence for people.
+std::string end_sentence(const Drive& drive);
+
+/// How many fields had each status, in the order of all_field_statuses.
+std::vector<std::uint64_t> status_counts(const std::vector<FieldRow>& rows);
+
+/// What a status means and what to do about it, for people.
+const char* explain(FieldStatus status);
+
+}  // namespace flownav

@@ -1,0 +1,26 @@
+#pragma once
+#include "flownav/core/field_status.h"
+#include "flownav/core/pose2.h"
+#include "flownav/pipeline/step.h"
+
+namespace flownav {
+
+/// The little of a step that the metrics and the report still need after the drive.
+struct FieldRow {
+    double timestamp_s = 0.0;
+    FieldStatus status = FieldStatus::Waiting;
+    bool v_measured = false;
+    bool starts_reference = false;  ///< the next fields are compared with this one
+    double omega_radps = 0.0;
+    double v_mps = 0.0;
+    Pose2 T_start_robot;
+    int placed = 0;
+    int confident = 0;
+    int inliers = 0;
+    int obstacles = 0;
+    bool end_of_cycle = false;
+};
+
+FieldRow row_of(const pipeline::Step& step);
+
+}  // namespace flownav

@@ -1,0 +1,45 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+
+#include "flownav/core/field.h"
+#include "flownav/mapping/fusion.h"
+#include "flownav/pipeline/step.h"
+#include "flownav/replay/csv_files.h"
+#include "flownav/replay/drive.h"
+#include "flownav/replay/result_rawlog.h"
+#include "flownav/replay/trajectory_file.h"
+#include "flownav/sensor/config.h"
+
+namespace flownav {
+
+/// Every file of an output folder. What is known is written at once; finish() adds what needs the whole
+/// drive. Everything throws OutputError when it cannot be written.
+class Outputs {
+  public:
+    Outputs(std::filesystem::path folder, const Config& config, bool keep_images);
+
+    void write(const Field& field, const pipeline::Step& step);
+    void write_odometry(const PoseSample& sample) { rawlog_.write_odometry(sample); }
+
+    /// Pose tracks, map and report; fills drive.written.
+    void finish(Drive& drive);
+
+    /// summary.json, which counts what finish() wrote.
+    void write_summary(const Drive& drive, const Timing& timing);
+
+  private:
+    std::uint64_t write_track(const char* name, const PoseTrack& track, const Drive& drive);
+
+    std::filesystem::path folder_;
+    Config config_;
+    bool keep_images_;
+    WrittenCounts written_;
+    TrajectoryFile trajectory_;
+    EgomotionCsv egomotion_;
+    ObstaclesCsv obstacles_;
+    ResultRawlog rawlog_;
+    DriveMap map_;
+};
+
+}  // namespace flownav

@@ -1,0 +1,35 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "flownav/replay/progress.h"
+#include "flownav/sensor/config.h"
+
+namespace flownav {
+
+struct ReplayOptions {
+    std::filesystem::path input;   ///< a rawlog
+    std::filesystem::path output;  ///< folder, made when it is missing; what is in it is overwritten
+    Config config;
+    bool keep_images = false;                            ///< copy the fields into result.rawlog too
+    Progress::Style progress = Progress::Style::Silent;  ///< on the standard output
+};
+
+enum class ExitStatus {
+    Fine = 0,
+    Usage = 1,   ///< bad usage or configuration; nothing was written
+    Input = 2,   ///< the input is damaged or ended early; all that was readable was written
+    Output = 3,  ///< output could not be written
+};
+
+struct ReplayResult {
+    ExitStatus status = ExitStatus::Fine;
+    std::string message;  ///< what, where, what to do; empty when all is fine
+    std::string outcome;  ///< what was found, in one line; empty when nothing was written
+};
+
+/// Runs the complete sensing chain over a rawlog and writes everything that share/doc/outputs.md lists. Never
+/// throws on bad input or full disks: the result says what happened.
+ReplayResult replay(const ReplayOptions& options);
+
+}  // namespace flownav

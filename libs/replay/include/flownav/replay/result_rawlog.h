@@ -1,0 +1,44 @@
+#pragma once
+#include <mrpt/obs/CObservation.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "flownav/core/field.h"
+#include "flownav/pipeline/step.h"
+#include "flownav/replay/field_source.h"
+#include "flownav/replay/output_file.h"
+
+namespace flownav {
+
+/// result.rawlog: a gz list of observations of MRPT's standard classes, in the order they are given.
+class ResultRawlog {
+  public:
+    /// `range_max_m` is the longest range of the scans.
+    ResultRawlog(const std::filesystem::path& path, double range_max_m)
+        : file_(path), range_max_m_(range_max_m) {}
+
+    /// FLOW_ODOMETRY; at the end of a cycle FLOW_SCAN and FLOW_POINTS too.
+    void write(const pipeline::Step& step);
+
+    /// A copy of the robot's own odometry.
+    void write_odometry(const PoseSample& sample);
+
+    /// The field as it was used: grey, one parity, with the calibration and camera pose that were used.
+    void write_image(const Field& field, const std::string& label);
+
+    /// Observations written so far, by label.
+    const std::map<std::string, std::uint64_t>& counts() const { return counts_; }
+    void close() { file_.close(); }
+
+  private:
+    void write_object(const mrpt::obs::CObservation& observation);
+
+    GzOutputFile file_;
+    double range_max_m_;
+    std::map<std::string, std::uint64_t> counts_;
+};
+
+}  // namespace flownav

@@ -1,0 +1,36 @@
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace flownav {
+
+/// One line of a chart. A new piece starts after a gap in the data; a piece of one point is drawn as a dot.
+struct ChartSeries {
+    std::string name;
+    std::string colour;  ///< as in CSS
+    std::vector<std::vector<Eigen::Vector2d>> pieces;
+    bool dashed = false;
+};
+
+/// A line chart. Series are drawn in their order, the last on top.
+struct Chart {
+    std::string title;
+    std::string x_label;
+    std::string y_label;
+    std::vector<ChartSeries> series;
+    bool equal_scales = false;  ///< one unit is as long in x as in y, as in a plan
+    bool y_from_zero = false;
+};
+
+/// The chart as an <svg> element for a web page; labels and legend included. Says so when there are no data.
+std::string svg_chart(const Chart& chart);
+
+/// At most about `most` points of a piece, keeping lowest and highest of what is merged, so that no spike is
+/// lost.
+std::vector<Eigen::Vector2d> thinned(const std::vector<Eigen::Vector2d>& piece, std::size_t most);
+
+/// Text with the characters replaced that mean something in HTML.
+std::string html_text(const std::string& text);
+
+}  // namespace flownav

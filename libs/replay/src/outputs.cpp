@@ -1,0 +1,88 @@
+#include "flownav/replay/outputs.h"
+
+#include <system_error>
+
+#include "flownav/mapping/export.h"
+#include "flownav/replay/report.h"
+#include "flownav/replay/summary.h"
+
+namespace flownav {
+
+namespace {
+
+constexpr const char* odometry_name = "odometry.tum";
+constexpr const char* ground_truth_name = "ground_truth.tum";
+
+/// The folder, ready for use: made, and without tracks that an earlier replay of another input left there.
+std::filesystem::path prepared(std::filesystem::path folder) {
+    make_output_folder(folder);
+    for (const char* name : {odometry_name, ground_truth_name}) {
+        std::error_code error;
+        std::filesystem::remove(folder / name, error);
+        if (error) throw OutputError("cannot replace " + (folder / name).string() + ": " + error.message());
+    }
+    return folder;
+}
+
+void write_map(const mrpt::maps::COccupancyGridMap2D& grid, const std::filesystem::path& folder) {
+    try {
+        export_map(grid, folder);
+    } catch (const std::exception& error) {
+        throw OutputError(error.what());
+    }
+}
+
+}  // namespace
+
+Outputs::Outputs(std::filesystem::path folder, const Config& config, bool keep_images)
+    : folder_(prepared(std::move(folder))),
+      config_(config),
+      keep_images_(keep_images),
+      trajectory_(folder_ / "trajectory.tum"),
+      egomotion_(folder_ / "egomotion.csv"),
+      obstacles_(folder_ / "obstacles.csv"),
+      rawlog_(folder_ / "result.rawlog", config.pipeline.obstacles.range_max_m),
+      map_(config.map) {}
+
+void Outputs::write(const Field& field, const pipeline::Step& step) {
+    if (keep_images_) rawlog_.write_image(field, config_.camera.camera_label);
+    trajectory_.write(step.timestamp_s, step.T_start_robot);
+    egomotion_.write(step);
+    obstacles_.write(step);
+    rawlog_.write(step);
+    ++written_.trajectory_poses;
+    ++written_.egomotion_rows;
+    written_.obstacle_points += step.obstacles.size();
+    if (!step.end_of_cycle) return;
+    ++written_.cycles;
+    map_.insert({step.timestamp_s, step.T_start_robot, step.obstacles, step.ground});
+}
+
+void Outputs::finish(Drive& drive) {
+    trajectory_.close();
+    egomotion_.close();
+    obstacles_.close();
+    rawlog_.close();
+    written_.result_rawlog = rawlog_.counts();
+    written_.odometry_poses = write_track(odometry_name, drive.odometry, drive);
+    written_.ground_truth_poses = write_track(ground_truth_name, drive.ground_truth, drive);
+    write_map(map_.grid(), folder_);
+    drive.written = written_;
+    write_file(folder_ / "report.html", report_html(drive, map_.grid()));
+}
+
+void Outputs::write_summary(const Drive& drive, const Timing& timing) {
+    write_file(folder_ / "summary.json", summary_json(drive, config_, timing));
+}
+
+std::uint64_t Outputs::write_track(const char* name, const PoseTrack& track, const Drive& drive) {
+    if (track.empty()) return 0;
+    const double start_s = drive.rows.empty() ? -HUGE_VAL : drive.rows.front().timestamp_s;
+    const auto poses = track.aligned(start_s);
+    TrajectoryFile file(folder_ / name);
+    for (const TimedPose& sample : poses) file.write(sample.timestamp_s, sample.pose);
+    file.close();
+    return poses.size();
+}
+
+}  // namespace flownav

@@ -1,0 +1,210 @@
+#include "flownav/replay/replay.h"
+
+#include <chrono>
+#include <optional>
+#include <system_error>
+#include <variant>
+
+#include "flownav/pipeline/pipeline.h"
+#include "flownav/replay/drive.h"
+#include "flownav/replay/number_text.h"
+#include "flownav/replay/outputs.h"
+
+namespace flownav {
+
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+
+/// What was asked for makes no sense; what() says why.
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Adds the time of a scope to a sum.
+class Stopwatch {
+  public:
+    explicit Stopwatch(double& sum_s) : sum_s_(sum_s) {}
+    ~Stopwatch() { sum_s_ += Seconds(std::chrono::steady_clock::now() - start_).count(); }
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+
+  private:
+    double& sum_s_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+class Run {
+  public:
+    explicit Run(const ReplayOptions& options) : options_(options), state_(options.config.pipeline) {
+        timing_.threads = options.config.pipeline.threads;
+        timing_.kernel = pipeline::kernel_name();
+        drive_.input_name = options.input.filename().string();
+    }
+
+    ReplayResult result() {
+        {
+            const Stopwatch total(timing_.total_s);
+            refuse_bad_paths();
+            read();
+            finish();
+        }
+        outputs_->write_summary(drive_, timing_);
+        return {status(), message(), outcome()};
+    }
+
+  private:
+    void refuse_bad_paths() const {
+        std::error_code error;
+        const auto input = std::filesystem::status(options_.input, error);
+        const std::string name = options_.input.string();
+        if (input.type() == std::filesystem::file_type::not_found)
+            throw UsageError("there is no file " + name);
+        if (error) throw UsageError("cannot open " + name + ": " + error.message());
+        if (std::filesystem::is_directory(input)) throw UsageError(name + " is a folder, not a rawlog");
+        const auto result = options_.output / "result.rawlog";
+        if (std::filesystem::equivalent(options_.input, result, error)) {
+            throw UsageError(name + " would be overwritten by result.rawlog: choose another --output");
+        }
+    }
+
+    void read() {
+        try {
+            RawlogReader reader(options_.input);
+            read_events(reader);
+            drive_.end = reader.end();
+        } catch (const InputError& error) {
+            drive_.end.kind = ReadEnd::Kind::Corrupt;
+            drive_.end.message = error.what();
+        }
+        if (!outputs_ && drive_.end.kind == ReadEnd::Kind::Clean) throw UsageError(no_field_message());
+    }
+
+    void read_events(RawlogReader& reader) {
+        FieldSource source(reader, options_.config.camera);
+        Progress progress(stdout, options_.progress);
+        while (const auto event = next(source)) {
+            if (const auto* field = std::get_if<Field>(&*event)) take(*field);
+            if (const auto* sample = std::get_if<PoseSample>(&*event)) take(*sample);
+            progress.update(reader.progress(), drive_.rows.size());
+        }
+        progress.finish(drive_.rows.size());
+        drive_.read = source.counts();
+    }
+
+    std::optional<ReplayEvent> next(FieldSource& source) {
+        const Stopwatch watch(timing_.decode_s);
+        try {
+            return source.next();
+        } catch (const ConfigError& error) {
+            if (!outputs_) throw;  // nothing has been written yet
+            drive_.stop_reason = error.what();
+            return std::nullopt;
+        }
+    }
+
+    void take(const Field& field) {
+        open_outputs();
+        const pipeline::Step& step = stepped(field);
+        drive_.rows.push_back(row_of(step));
+        drive_.any_fields.offer(field, step);
+        if (step.end_of_cycle) drive_.cycle_ends.offer(field, step);
+        const Stopwatch watch(timing_.write_s);
+        outputs_->write(field, step);
+    }
+
+    const pipeline::Step& stepped(const Field& field) {
+        const Stopwatch watch(timing_.step_s);
+        return pipeline::step(state_, field);
+    }
+
+    void take(const PoseSample& sample) {
+        const bool truth = sample.source == PoseSample::Source::GroundTruth;
+        (truth ? drive_.ground_truth : drive_.odometry).add(sample.timestamp_s, sample.pose);
+        if (truth) return;
+        if (outputs_) {
+            outputs_->write_odometry(sample);
+        } else {
+            early_odometry_.push_back(sample);
+        }
+    }
+
+    /// Not before there is a field that can be used, so that bad configuration writes nothing.
+    void open_outputs() {
+        if (outputs_) return;
+        const Stopwatch watch(timing_.write_s);
+        outputs_.emplace(options_.output, options_.config, options_.keep_images);
+        for (const PoseSample& sample : early_odometry_) outputs_->write_odometry(sample);
+        early_odometry_.clear();
+    }
+
+    void finish() {
+        open_outputs();
+        const Stopwatch watch(timing_.write_s);
+        drive_.odometry.finish();
+        drive_.ground_truth.finish();
+        if (!drive_.odometry.empty()) drive_.odometry_errors = compare(drive_.rows, drive_.odometry);
+        if (!drive_.ground_truth.empty())
+            drive_.ground_truth_errors = compare(drive_.rows, drive_.ground_truth);
+        outputs_->finish(drive_);
+    }
+
+    ExitStatus status() const {
+        const bool whole = drive_.end.kind == ReadEnd::Kind::Clean && drive_.stop_reason.empty();
+        return whole ? ExitStatus::Fine : ExitStatus::Input;
+    }
+
+    std::string message() const {
+        if (status() == ExitStatus::Fine) return "";
+        return end_sentence(drive_);
+    }
+
+    std::string outcome() const {
+        const std::uint64_t ok = status_counts(drive_.rows).front();
+        return std::to_string(drive_.rows.size()) + " fields (" + std::to_string(ok) + " ok), " +
+               std::to_string(drive_.written.cycles) + " cycles, " +
+               std::to_string(drive_.written.obstacle_points) + " obstacle points; see " +
+               (options_.output / "report.html").string();
+    }
+
+    std::string no_field_message() const {
+        std::string message = "no field could be used in " + options_.input.string() + ": ";
+        if (drive_.read.images > 0) return message + rejected_text();
+        message += "it has no image labelled " + options_.config.camera.camera_label;
+        if (drive_.read.observations.empty()) return message + "; it holds no observation";
+        message += "; it holds";
+        for (const auto& [name, count] : drive_.read.observations)
+            message += ' ' + name + " (" + std::to_string(count) + ')';
+        return message + "; set camera.camera_label";
+    }
+
+    std::string rejected_text() const {
+        std::string text = "all images were rejected:";
+        for (const auto& [reason, count] : drive_.read.rejected)
+            text += ' ' + reason + " (" + std::to_string(count) + ')';
+        return text;
+    }
+
+    const ReplayOptions& options_;
+    pipeline::State state_;
+    Drive drive_;
+    Timing timing_;
+    std::vector<PoseSample> early_odometry_;
+    std::optional<Outputs> outputs_;
+};
+
+}  // namespace
+
+ReplayResult replay(const ReplayOptions& options) {
+    try {
+        return Run(options).result();
+    } catch (const UsageError& error) {
+        return {ExitStatus::Usage, error.what(), ""};
+    } catch (const ConfigError& error) {
+        return {ExitStatus::Usage, error.what(), ""};
+    } catch (const OutputError& error) {
+        return {ExitStatus::Output, error.what(), ""};
+    }
+}
+
+}  // namespace flownav

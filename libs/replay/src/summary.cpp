@@ -1,0 +1,122 @@
+#include "flownav/replay/summary.h"
+
+#include <mrpt/config/CConfigFileMemory.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "flownav/core/version.h"
+
+namespace flownav {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Six decimals, as in the CSV files.
+Json rounded(double value) {
+    if (!std::isfinite(value)) return nullptr;
+    return std::round(value * 1e6) / 1e6 + 0.0;  // + 0.0 turns -0 into 0
+}
+
+Json input_part(const Drive& drive) {
+    return {{"file", drive.input_name},
+            {"end", end_word(drive)},
+            {"message", drive.stop_reason.empty() ? drive.end.message : drive.stop_reason},
+            {"objects_read", drive.end.objects_read},
+            {"byte_offset", drive.end.byte_offset}};
+}
+
+Json read_part(const InputCounts& read) {
+    return {{"objects", read.objects},
+            {"images", read.images},
+            {"fields", read.fields},
+            {"odometry", read.odometry},
+            {"ground_truth", read.ground_truth},
+            {"ignored", read.ignored},
+            {"observations", Json(read.observations)}};
+}
+
+Json written_part(const WrittenCounts& written) {
+    return {{"trajectory_poses", written.trajectory_poses},     {"odometry_poses", written.odometry_poses},
+            {"ground_truth_poses", written.ground_truth_poses}, {"egomotion_rows", written.egomotion_rows},
+            {"obstacle_points", written.obstacle_points},       {"cycles", written.cycles},
+            {"result_rawlog", Json(written.result_rawlog)}};
+}
+
+Json status_part(const std::vector<FieldRow>& rows) {
+    const auto counts = status_counts(rows);
+    Json part;
+    for (std::size_t i = 0; i < counts.size(); ++i) part[to_string(all_field_statuses.at(i))] = counts[i];
+    return part;
+}
+
+Json drive_part(const std::vector<FieldRow>& rows) {
+    if (rows.empty()) return nullptr;
+    double path_m = 0.0;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const Pose2& a = rows[i - 1].T_start_robot;
+        const Pose2& b = rows[i].T_start_robot;
+        path_m += std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
+    }
+    const Pose2& end = rows.back().T_start_robot;
+    return {{"start_s", rounded(rows.front().timestamp_s)},
+            {"duration_s", rounded(rows.back().timestamp_s - rows.front().timestamp_s)},
+            {"path_m", rounded(path_m)},
+            {"end_x_m", rounded(end.x_m)},
+            {"end_y_m", rounded(end.y_m)},
+            {"end_heading_deg", rounded(end.yaw_rad * 180.0 / M_PI)}};
+}
+
+Json errors_part(const std::optional<Errors>& errors) {
+    if (!errors) return nullptr;
+    Json part = {{"fields_compared", errors->fields_compared}};
+    for (const Figure& figure : error_figures()) {
+        const std::optional<double>& value = (*errors).*figure.value;
+        part[figure.name] = value ? rounded(*value) : Json(nullptr);
+    }
+    return part;
+}
+
+Json config_part(const Config& config) {
+    const mrpt::config::CConfigFileMemory ini(dump_config(config));
+    Json part = Json::object();
+    for (const ConfigKey& key : config_keys()) {
+        part[key.section][key.name] = ini.read_string(key.section, key.name, key.default_value);
+    }
+    return part;
+}
+
+Json timing_part(const Timing& timing, std::size_t fields) {
+    const double rate = timing.total_s > 0 ? static_cast<double>(fields) / timing.total_s : 0.0;
+    return {{"decode_s", rounded(timing.decode_s)},
+            {"step_s", rounded(timing.step_s)},
+            {"write_s", rounded(timing.write_s)},
+            {"total_s", rounded(timing.total_s)},
+            {"fields_per_s", rounded(rate)},
+            {"threads", timing.threads},
+            {"kernel", timing.kernel}};
+}
+
+}  // namespace
+
+std::string summary_json(const Drive& drive, const Config& config, const Timing& timing) {
+    Json summary;
+    summary["program"] = "flownav-replay";
+    summary["version"] = version();
+    summary["input"] = input_part(drive);
+    summary["read"] = read_part(drive.read);
+    summary["rejected"] = Json(drive.read.rejected);
+    summary["warnings"] = Json(drive.read.warnings);
+    summary["written"] = written_part(drive.written);
+    summary["status"] = status_part(drive.rows);
+    summary["drive"] = drive_part(drive.rows);
+    summary["errors"] = {{"ground_truth", errors_part(drive.ground_truth_errors)},
+                         {"odometry", errors_part(drive.odometry_errors)}};
+    summary["config"] = config_part(config);
+    summary["timing"] = timing_part(timing, drive.rows.size());
+    // A file's name may hold bytes that are no UTF-8: they are replaced, the file is written all the same.
+    return summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace flownav

@@ -1,0 +1,55 @@
+#include "flownav/sensor/observations.h"
+
+#include <mrpt/core/Clock.h>
+
+#include <algorithm>
+
+namespace flownav {
+
+mrpt::obs::CObservation2DRangeScan::Ptr scan_observation(const pipeline::Step& step, double range_max_m) {
+    auto scan = mrpt::obs::CObservation2DRangeScan::Create();
+    const VirtualScan& source = step.scan;
+    const std::size_t beams = source.beams.size();
+    scan->timestamp = mrpt::Clock::fromDouble(step.timestamp_s);
+    scan->sensorLabel = "FLOW_SCAN";
+    scan->rightToLeft = true;
+    scan->aperture = static_cast<float>(source.step_rad * static_cast<double>(beams > 0 ? beams - 1 : 0));
+    scan->maxRange = static_cast<float>(range_max_m);
+    const double centre_rad = source.first_bearing_rad + scan->aperture / 2.0;
+    scan->sensorPose = mrpt::poses::CPose3D(0, 0, 0, centre_rad, 0, 0);
+    scan->resizeScan(beams);
+    for (std::size_t i = 0; i < beams; ++i) {
+        const Beam& beam = source.beams[i];
+        scan->setScanRange(i, beam.kind == BeamKind::Unknown ? 0.0F : static_cast<float>(beam.range_m));
+        scan->setScanRangeValidity(i, beam.kind == BeamKind::Obstacle);
+    }
+    return scan;
+}
+
+mrpt::obs::CObservationPointCloud::Ptr points_observation(const pipeline::Step& step) {
+    auto points = mrpt::maps::CSimplePointsMap::Create();
+    points->reserve(step.obstacles.size());
+    for (const ObstaclePoint& point : step.obstacles) {
+        const Eigen::Vector3f position = point.position_m.cast<float>();
+        points->insertPointFast(position.x(), position.y(), position.z());
+    }
+    points->mark_as_modified();
+    auto cloud = mrpt::obs::CObservationPointCloud::Create();
+    cloud->timestamp = mrpt::Clock::fromDouble(step.timestamp_s);
+    cloud->sensorLabel = "FLOW_POINTS";
+    cloud->pointcloud = points;
+    return cloud;
+}
+
+mrpt::obs::CObservationOdometry::Ptr odometry_observation(const pipeline::Step& step) {
+    auto odometry = mrpt::obs::CObservationOdometry::Create();
+    odometry->timestamp = mrpt::Clock::fromDouble(step.timestamp_s);
+    odometry->sensorLabel = "FLOW_ODOMETRY";
+    const Pose2& pose = step.T_start_robot;
+    odometry->odometry = mrpt::poses::CPose2D(pose.x_m, pose.y_m, pose.yaw_rad);
+    odometry->hasVelocities = step.status == FieldStatus::Ok;
+    if (odometry->hasVelocities) odometry->velocityLocal = {step.v_mps, 0.0, step.omega_radps};
+    return odometry;
+}
+
+}  // namespace flownav
