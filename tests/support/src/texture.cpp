@@ -44,23 +44,9 @@ float noise(const Lattice& values, float x, float y) {
     return top + wy * (bottom - top);
 }
 
-/// How a footprint is sampled: taps to the right and down, each averaging about `width_m`.
-struct Taps {
-    int right = 1;
-    int down = 1;
-    double width_m = 0.0;
-};
-
-/// Enough taps that each covers a roughly square piece no larger than half of the detail, or less than the
-/// short side of the footprint.
-Taps taps_for(double right_m, double down_m, double detail_m) {
+int steps(double length_m, double step_m) {
     constexpr double most = 12.0;
-    const double target = std::max(0.75 * std::min(right_m, down_m), 0.5 * detail_m);
-    Taps taps;
-    taps.right = static_cast<int>(std::clamp(std::ceil(right_m / target), 1.0, most));
-    taps.down = static_cast<int>(std::clamp(std::ceil(down_m / target), 1.0, most));
-    taps.width_m = std::max(right_m / taps.right, down_m / taps.down);
-    return taps;
+    return static_cast<int>(std::min(length_m / step_m + 0.999, most));
 }
 
 /// What is left of noise with lattice spacing s after averaging over w: close to the response of a box.
@@ -71,17 +57,8 @@ double attenuation(double w_over_s) {
 
 /// Puts a lattice coordinate where adding a footprint keeps it positive and float keeps it precise.
 float wrapped(double coordinate) {
-    const double period = lattice_size;
-    return static_cast<float>(coordinate - period * std::floor(coordinate / period) + period);
-}
-
-struct Line {
-    float start, right, down;  ///< value at the first tap and the steps to its neighbours
-};
-
-Line line_of(double at, double right, double down, const Taps& taps) {
-    const double first = at - 0.5 * (right + down) + 0.5 * (right / taps.right + down / taps.down);
-    return {wrapped(first), static_cast<float>(right / taps.right), static_cast<float>(down / taps.down)};
+    const auto periods = static_cast<std::int64_t>(coordinate) & ~static_cast<std::int64_t>(lattice_mask);
+    return static_cast<float>(coordinate - static_cast<double>(periods) + lattice_size);
 }
 
 /// Share of [x - w/2, x + w/2] that lies in joints of width `joint` repeated every `period`.
@@ -112,8 +89,8 @@ TextureSampler::TextureSampler(const Texture& texture) : shade_(texture.shade), 
             base_ = 110.0;
             break;
         case Surface::Carpet:
-            base_ = 105.0;
-            add_octaves(0.45, 0.0025, 0.55, 10.0, 1.04);
+            base_ = 115.0;
+            add_octaves(0.45, 0.0025, 0.55, 8.5, 1.10);
             break;
         case Surface::Tiles:
             base_ = 135.0;
@@ -144,39 +121,63 @@ void TextureSampler::add_octaves(double coarsest_m, double finest_m, double rati
     Random random(seed_);
     for (double spacing = coarsest_m; spacing >= finest_m; spacing *= ratio, amplitude *= growth) {
         const double angle = random.uniform(0.0, 2.0 * M_PI);
-        const double c = std::cos(angle) / spacing;
-        const double s = std::sin(angle) / spacing;
-        octaves_.push_back({c, s, -s, c, random.uniform(0.0, lattice_size), random.uniform(0.0, lattice_size),
-                            spacing, amplitude});
+        octaves_.push_back({std::cos(angle) / spacing, std::sin(angle) / spacing,
+                            random.uniform(0.0, lattice_size), random.uniform(0.0, lattice_size), spacing,
+                            1.0 / spacing, amplitude});
     }
 }
 
+// Enough taps that each covers a roughly square piece: half of the detail, or the short side of the
+/// footprint.
+TextureSampler::Taps TextureSampler::taps_for(double right_m, double down_m, double detail_m) {
+    const double target_m = std::max(std::min(right_m, down_m), 0.5 * detail_m);
+    Taps taps;
+    if (target_m >= std::max(right_m, down_m)) {
+        taps.width_m = std::max(right_m, down_m);
+        return taps;
+    }
+    taps.right = std::max(1, steps(right_m, target_m));
+    taps.down = std::max(1, steps(down_m, target_m));
+    taps.width_m = std::max(right_m / taps.right, down_m / taps.down);
+    return taps;
+}
+
 double TextureSampler::grey(const Footprint& f) const {
-    const Lattice& values = lattice();
     const double right_m = std::max(f.right_m.norm(), 1e-6);
     const double down_m = std::max(f.down_m.norm(), 1e-6);
     double sum = base_;
     for (const Octave& o : octaves_) {
         const Taps taps = taps_for(right_m, down_m, o.spacing_m);
-        const double weight = o.amplitude * attenuation(taps.width_m / o.spacing_m);
-        if (weight < 0.02 * o.amplitude) continue;
-        const auto project = [](double px, double py, const Vector2d& p) { return px * p.x() + py * p.y(); };
-        const Line x = line_of(project(o.ax, o.ay, f.at_m) + o.ox, project(o.ax, o.ay, f.right_m),
-                               project(o.ax, o.ay, f.down_m), taps);
-        const Line y = line_of(project(o.bx, o.by, f.at_m) + o.oy, project(o.bx, o.by, f.right_m),
-                               project(o.bx, o.by, f.down_m), taps);
-        float total = 0.0F;
-        for (int j = 0; j < taps.down; ++j) {
-            for (int i = 0; i < taps.right; ++i) {
-                const auto fi = static_cast<float>(i);
-                const auto fj = static_cast<float>(j);
-                total +=
-                    noise(values, x.start + fi * x.right + fj * x.down, y.start + fi * y.right + fj * y.down);
-            }
-        }
-        sum += weight * static_cast<double>(total) / (taps.right * taps.down);
+        const double left = attenuation(taps.width_m * o.per_m);
+        if (left < 0.03) continue;
+        sum += o.amplitude * left * mean_noise(o, f, taps);
     }
     return shade_ * (tiled_ ? tiled(f, sum) : sum);
+}
+
+double TextureSampler::mean_noise(const Octave& o, const Footprint& f, const Taps& taps) {
+    const Lattice& values = lattice();
+    const auto x_of = [&](const Vector2d& p) { return o.cos_per_m * p.x() + o.sin_per_m * p.y(); };
+    const auto y_of = [&](const Vector2d& p) { return o.cos_per_m * p.y() - o.sin_per_m * p.x(); };
+    if (taps.right == 1 && taps.down == 1)
+        return static_cast<double>(noise(values, wrapped(x_of(f.at_m) + o.x), wrapped(y_of(f.at_m) + o.y)));
+    const Vector2d right = f.right_m / taps.right;
+    const Vector2d down = f.down_m / taps.down;
+    const Vector2d first = f.at_m - 0.5 * (f.right_m + f.down_m) + 0.5 * (right + down);
+    const float x0 = wrapped(x_of(first) + o.x);
+    const float y0 = wrapped(y_of(first) + o.y);
+    const auto x_right = static_cast<float>(x_of(right));
+    const auto y_right = static_cast<float>(y_of(right));
+    const auto x_down = static_cast<float>(x_of(down));
+    const auto y_down = static_cast<float>(y_of(down));
+    float total = 0.0F;
+    for (int j = 0; j < taps.down; ++j)
+        for (int i = 0; i < taps.right; ++i) {
+            const auto fi = static_cast<float>(i);
+            const auto fj = static_cast<float>(j);
+            total += noise(values, x0 + fi * x_right + fj * x_down, y0 + fi * y_right + fj * y_down);
+        }
+    return static_cast<double>(total) / (taps.right * taps.down);
 }
 
 double TextureSampler::tiled(const Footprint& f, double inside) const {

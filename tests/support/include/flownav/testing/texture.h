@@ -45,12 +45,22 @@ class TextureSampler {
     double grey(const Footprint& footprint) const;
 
   private:
+    /// Noise on a lattice that is turned, scaled and moved: x' = cos x + sin y + x0, y' = cos y - sin x + y0.
     struct Octave {
-        double ax, ay, bx, by;  ///< lattice coordinates: (ax x + ay y + ox, bx x + by y + oy)
-        double ox, oy;
-        double spacing_m, amplitude;
+        double cos_per_m, sin_per_m;
+        double x, y;
+        double spacing_m, per_m;
+        double amplitude;
+    };
+    /// How a footprint is sampled: taps to the right and down, each standing for a piece `width_m` wide.
+    struct Taps {
+        int right = 1;
+        int down = 1;
+        double width_m = 0.0;
     };
 
+    static Taps taps_for(double right_m, double down_m, double detail_m);
+    static double mean_noise(const Octave& octave, const Footprint& footprint, const Taps& taps);
     void add_octaves(double coarsest_m, double finest_m, double ratio, double amplitude, double growth);
     double tiled(const Footprint& footprint, double inside) const;
 
