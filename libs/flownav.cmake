@@ -48,6 +48,7 @@ function(flownav_app)
     add_executable(flownav-${APP_NAME} ${APP_SOURCES})
     target_link_libraries(flownav-${APP_NAME} PRIVATE ${APP_LINKS} flownav_options)
     install(TARGETS flownav-${APP_NAME} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    set_property(GLOBAL APPEND PROPERTY FLOWNAV_APPS ${APP_NAME})
 endfunction()
 
 # flownav_test(NAME flow LABEL unit SOURCES a_unittest.cpp ... LINKS target ...) makes one GoogleTest program.

@@ -1,0 +1,165 @@
+#!/usr/bin/env python3
+"""share/apt-packages.txt covers what the build, the scripts and the tests use, and nothing else.
+Run by ctest as test_packages.py ROOT."""
+
+import re
+import sys
+import unittest
+from pathlib import Path
+
+# What find_package() finds, and the Debian packages that bring it.
+OF_PACKAGE = {
+    "benchmark": {"libbenchmark-dev"},
+    "Eigen3": {"libeigen3-dev"},
+    "GTest": {"libgtest-dev"},
+    "mrpt-hwdrivers": {"libmrpt-hwdrivers-dev"},
+    "mrpt-maps": {"libmrpt-maps-dev"},
+    "mrpt-obs": {"libmrpt-obs-dev"},
+    "mrpt-tclap": {"libmrpt-tclap-dev"},
+    "nanoflann": {"libnanoflann-dev"},
+    "nlohmann_json": {"nlohmann-json3-dev"},
+    "OpenCV": {"libopencv-dev"},
+    "OpenMP": {"build-essential"},
+    "Python3": {"python3"},
+    "ZLIB": {"zlib1g-dev"},
+    "flownav": set(),  # the consumer's: ourselves
+}
+# Programs called by scripts, by find_program() and by ctest. Every Debian has those of no package here.
+OF_PROGRAM = {
+    "ccache": {"ccache"},
+    "clang-tidy": set(),  # of the preset `tidy` only, for those who develop
+    "cmake": {"cmake", "ninja-build"},  # every preset uses Ninja
+    "ctest": {"cmake"},
+    "g++": {"build-essential"},
+    "python3": {"python3"},
+    "rawlog-edit": {"mrpt-apps"},
+    "sudo": set(),  # only where one is not root; looked for first
+} | {name: set() for name in "apt-get cat dirname dpkg-query env id mkdir nproc sed".split()}
+# Modules imported by the scripts in Python, beside Python's own.
+OF_MODULE = {"numpy": {"python3-numpy"}, "cv2": {"python3-opencv"}}
+
+SHELL_WORDS = set(
+    "[ [[ ] ]] { } ! if then elif else fi for in do done while until case esac function select time "
+    "cd command continue break echo eval exec exit export false local mapfile printf read return set shift "
+    "source . test trap true unset usage wait".split()
+)
+
+
+def packages_listed(text):
+    return [name for name in (line.split("#")[0].strip() for line in text.splitlines()) if name]
+
+
+def cmake_needs(text):
+    """(names of packages, names of programs) that a CMake file looks for."""
+    code = re.sub(r"#.*", "", text)
+    packages = set(re.findall(r"\bfind_(?:package|dependency)\(\s*([\w-]+)", code))
+    programs = set(re.findall(r"\bfind_program\(\s*\w+\s+(?:NAMES\s+)?([\w+-]+)", code))
+    return packages, programs
+
+
+def programs_called(script):
+    """The first word of every command in a shell script; here-documents are not looked into, nor is a command
+    that a variable holds."""
+    code = re.sub(r"<<-?\s*['\"]?(\w+)['\"]?.*?\n\1\n", "\n", script + "\n", flags=re.DOTALL)
+    code = re.sub(r"(^|\s)#.*", r"\1", code)
+    code = re.sub(r"\\\n", " ", code)
+    substituted = re.findall(r"\$\(\s*(?!\()([^\s()]+)", code)  # also those inside strings
+    functions = set(re.findall(r"^\s*(\w+)\s*\(\)", code, re.MULTILINE))
+    code = re.sub(r"'[^']*'", "''", code)
+    code = re.sub(r'"\$\{\w+\[@\]\}"', "", code)
+    code = re.sub(r'"(?:\\.|\$\([^()]*\)|[^"\\])*"', '""', code)
+    code = re.sub(r"\$\([^()]*\)", "", code)
+    code = re.sub(r"\w+\+?=\([^()]*\)", "", code)  # lists
+    code = re.sub(r"^\s*[\w*|. -]+\)", "", code, flags=re.MULTILINE)  # the patterns of case
+    before_command = r"(?:[{!]|\b(?:if|then|elif|else|do|while|until|exec|time)\s|\w+=\S*)"
+    commands = []
+    for part in re.split(r"\n|;|&&|\|\||\||<\(|[()]", code):
+        words = re.sub(rf"^\s*(?:{before_command}\s*)*", "", part).split()
+        commands += words[:1]
+    named = {word for word in commands + substituted if re.fullmatch(r"[A-Za-z][\w+.-]*", word)}
+    return named - SHELL_WORDS - functions
+
+
+def modules_imported(text):
+    names = re.findall(r"^\s*(?:import|from)\s+(\w+)", text, re.MULTILINE)
+    return set(names) - set(sys.stdlib_module_names)
+
+
+def unknown_and_needed(names, table):
+    unknown = sorted(names - set(table))
+    needed = set().union(*(table[name] for name in names if name in table))
+    return unknown, needed
+
+
+class Packages(unittest.TestCase):
+    ROOT = Path(__file__).resolve().parents[2]
+
+    def files(self, *patterns):
+        found = [self.ROOT / "CMakeLists.txt"] if "CMakeLists.txt" in patterns else []
+        for folder in ("libs", "apps", "tests", "share"):
+            for pattern in patterns:
+                found += sorted((self.ROOT / folder).rglob(pattern))
+        return found
+
+    def texts(self, *patterns):
+        return [file.read_text() for file in self.files(*patterns)]
+
+    def needs(self):
+        """Everything looked for, called or imported in the tree: three sets of names."""
+        packages, programs, modules = set(), {"cmake", "ctest", "g++", "python3"}, set()
+        for text in self.texts("CMakeLists.txt", "*.cmake", "*.cmake.in"):
+            more_packages, more_programs = cmake_needs(text)
+            packages |= more_packages
+            programs |= more_programs
+        for text in self.texts("*.sh"):
+            programs |= programs_called(text)
+        own = {file.stem for file in self.files("*.py")}
+        for text in self.texts("*.py"):
+            modules |= modules_imported(text) - own
+        return packages, programs, modules
+
+    def test_the_list_is_what_the_tree_needs(self):
+        listed = packages_listed((self.ROOT / "share/apt-packages.txt").read_text())
+        self.assertEqual(len(listed), len(set(listed)), "a package is listed twice")
+        needed = set()
+        for names, table in zip(self.needs(), (OF_PACKAGE, OF_PROGRAM, OF_MODULE)):
+            unknown, more = unknown_and_needed(names, table)
+            self.assertEqual(unknown, [], "unknown to this test: map it to its Debian package")
+            needed |= more
+        self.assertEqual(sorted(needed - set(listed)), [], "missing in share/apt-packages.txt")
+        self.assertEqual(sorted(set(listed) - needed), [], "listed in share/apt-packages.txt, but not needed")
+
+    def test_the_scripts_are_looked_into(self):
+        _, programs, _ = self.needs()
+        self.assertLessEqual({"apt-get", "cmake", "ctest", "dpkg-query", "nproc"}, programs)
+
+    def test_calls_are_found_wherever_they_stand(self):
+        script = """#!/bin/bash
+            # comment one
+            two=$(three --a) && four | five -x || six
+            if seven; then eight; fi
+            echo "nine $(ten eleven)" 'twelve; thirteen'
+            for i in fourteen; do fifteen; done
+            X=1 sixteen < <(seventeen)
+            \tcat <<END
+            eighteen
+END
+            own() { nineteen; }
+            own; "$root/own.sh"; "${list[@]}" twenty
+            case $x in
+                a | -b) twenty-one ;;
+            esac
+            list=(no no) && list+=("no")
+        """
+        expected = "three four five six seven eight ten fifteen sixteen seventeen cat nineteen twenty twenty-one".split()
+        self.assertEqual(programs_called(script), set(expected))
+
+    def test_what_cmake_looks_for_is_found(self):
+        text = "# find_package(no)\nfind_package(GTest REQUIRED)\nfind_program(X\n  rawlog-edit REQUIRED)"
+        self.assertEqual(cmake_needs(text), ({"GTest"}, {"rawlog-edit"}))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        Packages.ROOT = Path(sys.argv.pop(1))
+    unittest.main()
