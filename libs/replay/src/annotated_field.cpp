@@ -18,6 +18,8 @@ constexpr double widest_px = 1280.0;
 constexpr int line_height_px = 24;
 constexpr int margin_px = 10;
 constexpr double font_scale = 0.5;
+constexpr double shortest_arrow_px = 6.0;
+const cv::Scalar rim(25, 25, 25);
 const cv::Scalar paper(255, 255, 255);
 const cv::Scalar ink(30, 30, 30);
 
@@ -89,6 +91,19 @@ void tint_blocks(cv::Mat& picture, const pipeline::Step& step, const Scale& scal
     }
 }
 
+/// Drawn with a dark rim, so that it shows on light and dark ground.
+void draw_arrow(cv::Mat& picture, const cv::Point& from, const cv::Point& to, const cv::Scalar& colour) {
+    const double length_px = cv::norm(to - from);
+    if (length_px < shortest_arrow_px) {
+        cv::circle(picture, to, 4, rim, cv::FILLED, cv::LINE_AA);
+        cv::circle(picture, to, 3, colour, cv::FILLED, cv::LINE_AA);
+        return;
+    }
+    const double head = std::min(0.5, 7.0 / length_px);
+    cv::arrowedLine(picture, from, to, rim, 4, cv::LINE_AA, 0, head);
+    cv::arrowedLine(picture, from, to, colour, 2, cv::LINE_AA, 0, head);
+}
+
 void draw_vectors(cv::Mat& picture, const pipeline::Step& step, const Scale& scale, const Style& style) {
     for (const auto& block : step.blocks) {
         if (!drawn(block, style.fate)) continue;
@@ -98,10 +113,7 @@ void draw_vectors(cv::Mat& picture, const pipeline::Step& step, const Scale& sca
             continue;
         }
         const cv::Point to = at(scale, block.vector.at_px + block.vector.flow_px);
-        const double length = std::max(1.0, cv::norm(to - from));
-        cv::arrowedLine(picture, from, to, cv::Scalar::all(0), 3, cv::LINE_AA, 0,
-                        std::min(0.5, 6.0 / length));
-        cv::arrowedLine(picture, from, to, style.colour, 1, cv::LINE_AA, 0, std::min(0.5, 6.0 / length));
+        draw_arrow(picture, from, to, style.colour);
     }
 }
 

@@ -1,207 +1,158 @@
 #include "flownav/replay/curves.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
+
+#include "track_series.h"
 
 namespace flownav {
 
 namespace {
 
-const char* const flow_colour = "#0072b2";
-const char* const odometry_colour = "#d55e00";
-const char* const truth_colour = "#000000";
-constexpr double visible_gaps = 500.0;  ///< gaps shorter than a drive's duration over this are drawn through
-constexpr double gap_fields = 3.0;      ///< and so are gaps of this many fields
-constexpr double gap_cycle_fields = 15.0;
+constexpr double cycle_fields = 15.0;  ///< gaps between values that come once a cycle
 
-using Value = std::function<std::optional<double>(const FieldRow&)>;
+const ChartSeries flow_look = {"flow", "#0072b2", {}, false, 1.8};
+const ChartSeries odometry_look = {"odometry", "#d55e00", {}, true, 1.8};
+const ChartSeries truth_look = {"ground truth", "#b5b5b5", {}, false, 5.0};
 
 double to_deg(double angle_rad) {
     return angle_rad * 180.0 / M_PI;
 }
 
-/// A curve over time; a row without value leaves a gap.
-ChartSeries over_time(const std::string& name, const char* colour, const Drive& drive, const Value& value,
-                      double drawn_through_fields = gap_fields) {
-    ChartSeries series{name, colour, {}, false};
-    if (drive.rows.empty()) return series;
-    const double start_s = drive.rows.front().timestamp_s;
-    const double duration_s = drive.rows.back().timestamp_s - start_s;
-    const double fields = static_cast<double>(drive.rows.size());
-    const double gap_s = std::max(drawn_through_fields * duration_s / fields, duration_s / visible_gaps);
-    double last_s = -HUGE_VAL;
-    for (const FieldRow& row : drive.rows) {
-        const auto y = value(row);
-        if (!y) continue;
-        if (row.timestamp_s - last_s > gap_s) series.pieces.emplace_back();
-        series.pieces.back().emplace_back(row.timestamp_s - start_s, *y);
-        last_s = row.timestamp_s;
-    }
-    return series;
+double start_of(const Drive& drive) {
+    return drive.rows.empty() ? 0.0 : drive.rows.front().timestamp_s;
 }
 
-/// Another track's poses in the frame of its pose at the first field, on the ground.
-struct GroundTrack {
-    std::vector<double> timestamps_s;
-    std::vector<Pose2> poses;
-    std::vector<double> unwrapped_rad;
-};
-
-void append_heading(GroundTrack& track) {
-    const double now_rad = track.poses.back().yaw_rad;
-    const double before_rad = track.unwrapped_rad.empty() ? 0.0 : track.unwrapped_rad.back();
-    track.unwrapped_rad.push_back(before_rad + wrap_angle(now_rad - before_rad));
-}
-
-GroundTrack ground_track(const Drive& drive, const PoseTrack& track) {
-    GroundTrack result;
-    if (drive.rows.empty()) return result;
-    for (const TimedPose& sample : track.aligned(drive.rows.front().timestamp_s)) {
-        if (sample.timestamp_s > drive.rows.back().timestamp_s) break;
-        result.timestamps_s.push_back(sample.timestamp_s);
-        result.poses.push_back({sample.pose.x, sample.pose.y, sample.pose.yaw});
-        append_heading(result);
-    }
-    return result;
-}
-
-GroundTrack flow_track(const Drive& drive) {
-    GroundTrack result;
-    for (const FieldRow& row : drive.rows) {
-        result.timestamps_s.push_back(row.timestamp_s);
-        result.poses.push_back(row.T_start_robot);
-        append_heading(result);
-    }
-    return result;
-}
-
-ChartSeries plan(const std::string& name, const char* colour, const GroundTrack& track) {
-    ChartSeries series{name, colour, {}, false};
-    if (!track.poses.empty()) series.pieces.emplace_back();
-    for (const Pose2& pose : track.poses) series.pieces.back().emplace_back(pose.x_m, pose.y_m);
-    return series;
-}
-
-ChartSeries heading(const std::string& name, const char* colour, const GroundTrack& track, double start_s) {
-    ChartSeries series{name, colour, {}, false};
-    if (!track.poses.empty()) series.pieces.emplace_back();
-    for (std::size_t i = 0; i < track.poses.size(); ++i) {
-        series.pieces.back().emplace_back(track.timestamps_s[i] - start_s, to_deg(track.unwrapped_rad[i]));
-    }
-    return series;
-}
-
-/// Rates of another track between one field and the next.
-ChartSeries rate(const std::string& name, const char* colour, const Drive& drive, const PoseTrack& track,
-                 const std::function<double(const Pose2&)>& component) {
-    std::optional<Pose2> before;
-    double before_s = 0.0;
-    return over_time(name, colour, drive, [=, &track](const FieldRow& row) mutable -> std::optional<double> {
-        const auto now = track.ground_at(row.timestamp_s);
-        std::optional<double> result;
-        if (now && before) {
-            result = component(compose(inverse(*before), *now)) / (row.timestamp_s - before_s);
-        }
-        before = now;
-        before_s = row.timestamp_s;
-        return result;
-    });
+Chart time_chart(const Drive& drive, const std::string& title, const std::string& y_label) {
+    Chart chart;
+    chart.title = title;
+    chart.x_label = "time since the first field (s)";
+    chart.y_label = y_label;
+    if (!drive.rows.empty()) chart.x_span = {0.0, drive.rows.back().timestamp_s - start_of(drive)};
+    return chart;
 }
 
 /// Adds the tracks the drive has, truth below everything, flow on top.
 template <typename MakeSeries>
-void add_tracks(Chart& chart, const Drive& drive, const MakeSeries& make, ChartSeries flow) {
-    if (!drive.ground_truth.empty())
-        chart.series.push_back(make("ground truth", truth_colour, drive.ground_truth));
-    if (!drive.odometry.empty()) chart.series.push_back(make("odometry", odometry_colour, drive.odometry));
-    for (ChartSeries& series : chart.series) series.dashed = series.name == "odometry";
+void add_tracks(Chart& chart, const Drive& drive, const MakeSeries& other_track, ChartSeries flow) {
+    if (!drive.ground_truth.empty()) chart.series.push_back(other_track(truth_look, drive.ground_truth));
+    if (!drive.odometry.empty()) chart.series.push_back(other_track(odometry_look, drive.odometry));
     chart.series.push_back(std::move(flow));
 }
 
 Chart trajectory_chart(const Drive& drive) {
-    Chart chart{"Trajectory, seen from above",
-                "x, ahead of the start (m)",
-                "y, left of the start (m)",
-                {},
-                true,
-                false};
-    const auto make = [&](const char* name, const char* colour, const PoseTrack& track) {
-        return plan(name, colour, ground_track(drive, track));
+    Chart chart;
+    chart.title = "Trajectory, seen from above";
+    chart.x_label = "x, ahead of the start (m)";
+    chart.y_label = "y, left of the start (m)";
+    chart.equal_scales = true;
+    const auto other = [&](const ChartSeries& look, const PoseTrack& track) {
+        return plan(look, ground_track(drive, track));
     };
-    add_tracks(chart, drive, make, plan("flow", flow_colour, flow_track(drive)));
+    add_tracks(chart, drive, other, plan(flow_look, flow_track(drive)));
     return chart;
 }
 
 Chart heading_chart(const Drive& drive) {
-    const double start_s = drive.rows.empty() ? 0.0 : drive.rows.front().timestamp_s;
-    Chart chart{"Heading, > 0: turned left", "time (s)", "heading (deg)", {}, false, false};
-    const auto make = [&](const char* name, const char* colour, const PoseTrack& track) {
-        return heading(name, colour, ground_track(drive, track), start_s);
+    Chart chart = time_chart(drive, "Heading, > 0: turned left", "heading (deg)");
+    const auto other = [&](const ChartSeries& look, const PoseTrack& track) {
+        return heading(look, ground_track(drive, track), start_of(drive));
     };
-    add_tracks(chart, drive, make, heading("flow", flow_colour, flow_track(drive), start_s));
-    return chart;
-}
-
-Chart rate_chart(const Drive& drive, const Chart& labels,
-                 const std::function<double(const Pose2&)>& component, const Value& flow) {
-    Chart chart = labels;
-    const auto make = [&](const char* name, const char* colour, const PoseTrack& track) {
-        return rate(name, colour, drive, track, component);
-    };
-    add_tracks(chart, drive, make, over_time("flow", flow_colour, drive, flow, gap_cycle_fields));
+    add_tracks(chart, drive, other, heading(flow_look, flow_track(drive), start_of(drive)));
     return chart;
 }
 
 Chart omega_chart(const Drive& drive) {
-    const auto flow = [](const FieldRow& row) -> std::optional<double> {
+    Chart chart = time_chart(drive, "Turn rate, > 0: to the left", "turn rate (deg/s)");
+    const auto turn = [](const Pose2& motion) { return to_deg(wrap_angle(motion.yaw_rad)); };
+    const auto other = [&](const ChartSeries& look, const PoseTrack& track) {
+        return rate(look, drive, track, turn);
+    };
+    const auto measured = [](const FieldRow& row) -> std::optional<double> {
         if (row.status != FieldStatus::Ok) return std::nullopt;
         return to_deg(row.omega_radps);
     };
-    const auto turn = [](const Pose2& step) { return to_deg(wrap_angle(step.yaw_rad)); };
-    return rate_chart(drive,
-                      {"Turn rate, > 0: to the left", "time (s)", "turn rate (deg/s)", {}, false, false},
-                      turn, flow);
+    add_tracks(chart, drive, other, over_time(flow_look, drive, measured));
+    return chart;
 }
 
 Chart speed_chart(const Drive& drive) {
-    const auto flow = [](const FieldRow& row) -> std::optional<double> {
+    Chart chart = time_chart(drive, "Forward speed, as measured at the end of each cycle", "speed (m/s)");
+    chart.y_from_zero = true;
+    const auto forward = [](const Pose2& motion) {
+        return std::copysign(std::hypot(motion.x_m, motion.y_m), motion.x_m);
+    };
+    const auto other = [&](const ChartSeries& look, const PoseTrack& track) {
+        return rate(look, drive, track, forward);
+    };
+    const auto measured = [](const FieldRow& row) -> std::optional<double> {
         if (!row.v_measured) return std::nullopt;
         return row.v_mps;
     };
-    const auto forward = [](const Pose2& step) {
-        return std::copysign(std::hypot(step.x_m, step.y_m), step.x_m);
-    };
-    return rate_chart(drive,
-                      {"Forward speed, where it was measured", "time (s)", "speed (m/s)", {}, false, true},
-                      forward, flow);
+    add_tracks(chart, drive, other, over_time(flow_look, drive, measured, cycle_fields));
+    return chart;
+}
+
+/// Distance between the ground truth and a pose known at each field, both from the first field with truth.
+ChartSeries distance(const ChartSeries& look, const Drive& drive,
+                     const std::function<std::optional<Pose2>(const FieldRow&)>& pose_at) {
+    std::optional<Pose2> first_truth;
+    std::optional<Pose2> first_pose;
+    return over_time(look, drive, [&](const FieldRow& row) -> std::optional<double> {
+        const auto truth = drive.ground_truth.ground_at(row.timestamp_s);
+        const auto pose = pose_at(row);
+        if (!truth || !pose) return std::nullopt;
+        if (!first_truth) {
+            first_truth = truth;
+            first_pose = pose;
+        }
+        const Pose2 a = compose(inverse(*first_truth), *truth);
+        const Pose2 b = compose(inverse(*first_pose), *pose);
+        return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
+    });
+}
+
+Chart distance_chart(const Drive& drive) {
+    Chart chart = time_chart(drive, "Distance from the ground truth", "distance (m)");
+    chart.y_from_zero = true;
+    if (!drive.odometry.empty()) {
+        const auto at = [&](const FieldRow& row) { return drive.odometry.ground_at(row.timestamp_s); };
+        chart.series.push_back(distance(odometry_look, drive, at));
+    }
+    const auto flow = [](const FieldRow& row) { return std::optional<Pose2>(row.T_start_robot); };
+    chart.series.push_back(distance(flow_look, drive, flow));
+    return chart;
 }
 
 Chart counts_chart(const Drive& drive) {
-    Chart chart{"Blocks and obstacle points per field", "time (s)", "count", {}, false, true};
+    Chart chart = time_chart(drive, "Blocks per field, and obstacle points per cycle", "count");
+    chart.y_from_zero = true;
     const auto count = [&](const char* name, const char* colour, int FieldRow::*member) {
-        return over_time(name, colour, drive,
-                         [member](const FieldRow& row) { return std::optional<double>(row.*member); });
+        const auto value = [member](const FieldRow& row) { return std::optional<double>(row.*member); };
+        return over_time({name, colour, {}, false, 1.8}, drive, value);
     };
     chart.series.push_back(count("placed", "#999999", &FieldRow::placed));
     chart.series.push_back(count("confident", "#56b4e9", &FieldRow::confident));
     chart.series.push_back(count("supporting the turn rate", "#009e73", &FieldRow::inliers));
-    chart.series.push_back(over_time(
-        "obstacle points of a cycle", "#d55e00", drive,
-        [](const FieldRow& row) -> std::optional<double> {
-            if (!row.end_of_cycle) return std::nullopt;
-            return row.obstacles;
-        },
-        gap_cycle_fields));
+    const auto points = [](const FieldRow& row) -> std::optional<double> {
+        if (!row.end_of_cycle) return std::nullopt;
+        return row.obstacles;
+    };
+    chart.series.push_back(
+        over_time({"obstacle points", "#d55e00", {}, false, 1.8}, drive, points, cycle_fields));
     return chart;
 }
 
 }  // namespace
 
 std::vector<Chart> charts_of(const Drive& drive) {
-    return {trajectory_chart(drive), heading_chart(drive), omega_chart(drive), speed_chart(drive),
-            counts_chart(drive)};
+    std::vector<Chart> charts = {trajectory_chart(drive), heading_chart(drive)};
+    if (!drive.ground_truth.empty()) charts.push_back(distance_chart(drive));
+    charts.push_back(omega_chart(drive));
+    charts.push_back(speed_chart(drive));
+    charts.push_back(counts_chart(drive));
+    return charts;
 }
 
 }  // namespace flownav

@@ -27,17 +27,30 @@ std::string paragraph(const std::string& text) {
     return "<p>" + html_text(text) + "</p>\n";
 }
 
-std::string row(const std::vector<std::string>& cells, const char* element = "td") {
+/// A cell of a table; numbers stand to the right.
+struct Cell {
+    std::string text;
+    bool number = false;
+    const char* mark = nullptr;  ///< colour of a small square before the text
+};
+
+std::string row(const std::vector<Cell>& cells, const std::string& element = "td") {
     std::string html = "<tr>";
-    for (const std::string& cell : cells) {
-        html += std::string("<") + element + ">" + html_text(cell) + "</" + element + ">";
+    for (const Cell& cell : cells) {
+        html += "<" + element + (cell.number ? " class=\"number\">" : ">");
+        if (cell.mark != nullptr) html += std::string("<i style=\"background:") + cell.mark + "\"></i>";
+        html += html_text(cell.text) + "</" + element + ">";
     }
     return html + "</tr>\n";
 }
 
-std::string table(const std::vector<std::string>& head, const std::string& rows) {
+std::string table(const std::vector<Cell>& head, const std::string& rows) {
     return "<div class=\"wide\"><table>\n<thead>" + row(head, "th") + "</thead>\n<tbody>\n" + rows +
            "</tbody></table></div>\n";
+}
+
+Cell number(std::uint64_t count) {
+    return {std::to_string(count), true, nullptr};
 }
 
 std::string image(const cv::Mat& picture, const char* format, const std::vector<int>& options,
@@ -71,9 +84,9 @@ std::string short_facts(const Drive& drive) {
 
 // ---- figures
 
-std::string figure_cell(const std::optional<Errors>& errors, const Figure& figure) {
-    if (!errors || !((*errors).*figure.value)) return "-";
-    return fixed_text(*((*errors).*figure.value), 3);
+Cell figure_cell(const Errors& errors, const Figure& figure) {
+    const auto& value = errors.*figure.value;
+    return {value ? fixed_text(*value, 3) : "-", true, nullptr};
 }
 
 std::string figures(const Drive& drive) {
@@ -81,26 +94,25 @@ std::string figures(const Drive& drive) {
         return paragraph(
             "The recording has neither odometry nor ground truth to compare the flow odometry with.");
     }
-    std::vector<std::string> head = {"figure"};
-    if (drive.ground_truth_errors) head.emplace_back("against ground truth");
-    if (drive.odometry_errors) head.emplace_back("against odometry");
-    head.insert(head.end(), {"unit", "meaning"});
+    std::vector<Cell> head = {{"figure"}};
+    if (drive.ground_truth_errors) head.push_back({"ground truth", true, nullptr});
+    if (drive.odometry_errors) head.push_back({"odometry", true, nullptr});
+    head.insert(head.end(), {{"unit"}, {"flow odometry compared with these, meaning"}});
     std::string rows;
     for (const Figure& figure : error_figures()) {
-        std::vector<std::string> cells = {figure.name};
-        if (drive.ground_truth_errors) cells.push_back(figure_cell(drive.ground_truth_errors, figure));
-        if (drive.odometry_errors) cells.push_back(figure_cell(drive.odometry_errors, figure));
-        cells.insert(cells.end(), {figure.unit, figure.meaning});
+        std::vector<Cell> cells = {{figure.name}};
+        if (drive.ground_truth_errors) cells.push_back(figure_cell(*drive.ground_truth_errors, figure));
+        if (drive.odometry_errors) cells.push_back(figure_cell(*drive.odometry_errors, figure));
+        cells.insert(cells.end(), {{figure.unit}, {figure.meaning}});
         rows += row(cells);
     }
-    return "<div class=\"figures\">" + table(head, rows) + "</div>" +
-           paragraph(
-               "A dash stands for a figure that could not be computed. The other track is interpolated at "
-               "the "
-               "times of the fields; the first " +
-               std::to_string(Errors::settling_fields) +
-               " fields, in which the sensor finds its first prediction, are left out of the figures of turn "
-               "rate and speed.");
+    return table(head, rows) + paragraph(
+                                   "A dash stands for a figure that could not be computed. Poses of the "
+                                   "other track are interpolated at the "
+                                   "times of the fields; the first " +
+                                   std::to_string(Errors::settling_fields) +
+                                   " fields, in which the sensor finds its first prediction, are left out of "
+                                   "the figures of turn rate and speed.");
 }
 
 // ---- status and counts
@@ -110,28 +122,28 @@ std::string statuses(const Drive& drive) {
     std::string rows;
     for (std::size_t i = 0; i < counts.size(); ++i) {
         const FieldStatus status = all_field_statuses.at(i);
-        rows += row({to_string(status), std::to_string(counts[i]), explain(status)});
+        rows += row({{to_string(status), false, colour_of(status)}, number(counts[i]), {explain(status)}});
     }
-    return table({"status", "fields", "meaning"}, rows);
+    return table({{"status"}, {"fields", true, nullptr}, {"meaning"}}, rows);
 }
 
 std::string read_and_rejected(const Drive& drive) {
     const InputCounts& read = drive.read;
     std::string rows;
-    rows += row({"objects in the file", std::to_string(read.objects), "read"});
-    rows += row({"images of the camera", std::to_string(read.images), "read"});
-    rows += row({"fields", std::to_string(read.fields), "used; a woven frame makes two"});
-    rows += row({"odometry", std::to_string(read.odometry), "used for comparison only"});
-    rows += row({"ground truth", std::to_string(read.ground_truth), "used for comparison only"});
-    rows += row({"other observations", std::to_string(read.ignored), "ignored: other labels or classes"});
+    rows += row({{"objects in the file"}, number(read.objects), {"read"}});
+    rows += row({{"images of the camera"}, number(read.images), {"read"}});
+    rows += row({{"fields"}, number(read.fields), {"used; a woven frame makes two"}});
+    rows += row({{"odometry"}, number(read.odometry), {"used for comparison only"}});
+    rows += row({{"ground truth"}, number(read.ground_truth), {"used for comparison only"}});
+    rows += row({{"other observations"}, number(read.ignored), {"ignored: other labels or classes"}});
     for (const auto& [reason, count] : read.rejected) {
-        rows += row({reason, std::to_string(count), "rejected for this reason"});
+        rows += row({{reason}, number(count), {"rejected for this reason"}});
     }
     for (const auto& [warning, count] : read.warnings) {
-        rows += row({warning, std::to_string(count), "noticed, used all the same"});
+        rows += row({{warning}, number(count), {"noticed, used all the same"}});
     }
     const std::string none = read.rejected.empty() ? paragraph("Nothing was rejected.") : "";
-    return table({"what", "count", "what became of it"}, rows) + none;
+    return table({{"what"}, {"count", true, nullptr}, {"what became of it"}}, rows) + none;
 }
 
 // ---- pictures
@@ -174,7 +186,7 @@ std::string map_section(const Drive& drive, const mrpt::maps::COccupancyGridMap2
 std::string curves(const Drive& drive) {
     std::string html;
     for (const Chart& chart : charts_of(drive)) html += "<figure>" + svg_chart(chart) + "</figure>\n";
-    return html;
+    return html + "<figure>" + status_band(drive.rows) + "</figure>\n";
 }
 
 }  // namespace

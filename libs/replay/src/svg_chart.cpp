@@ -107,6 +107,12 @@ std::string axes(const Chart& chart, const Frame& frame) {
     return svg;
 }
 
+/// The looks of a line, as attributes.
+std::string stroke(const ChartSeries& series) {
+    return " stroke=\"" + series.colour + "\" stroke-width=\"" + fixed_text(series.width_px, 1) + "\"" +
+           (series.dashed ? " stroke-dasharray=\"7 4\"" : "");
+}
+
 std::string curve(const ChartSeries& series, const Frame& frame, std::size_t most_a_piece) {
     std::string path;
     std::string dots;
@@ -121,17 +127,14 @@ std::string curve(const ChartSeries& series, const Frame& frame, std::size_t mos
                     fixed_text(frame.v(points[0].y()), 1) + "\" r=\"1.5\" fill=\"" + series.colour + "\"/>\n";
         }
     }
-    const std::string dash = series.dashed ? " stroke-dasharray=\"7 4\"" : "";
-    return "<path class=\"curve\" stroke=\"" + series.colour + "\"" + dash + " d=\"" + path + "\"/>\n" + dots;
+    return "<path class=\"curve\"" + stroke(series) + " d=\"" + path + "\"/>\n" + dots;
 }
 
 std::string legend(const Chart& chart) {
     std::string svg;
     double x = left_px;
     for (const ChartSeries& series : chart.series) {
-        const std::string dash = series.dashed ? " stroke-dasharray=\"7 4\"" : "";
-        svg += "<path class=\"curve\" stroke=\"" + series.colour + "\"" + dash + " d=\"M" + fixed_text(x, 1) +
-               " 33h26\"/>\n";
+        svg += "<path class=\"curve\"" + stroke(series) + " d=\"M" + fixed_text(x, 1) + " 33h26\"/>\n";
         svg += text(x + 32, 37, "start", series.name);
         x += 32 + 7.2 * static_cast<double>(series.name.size()) + 22;
     }
@@ -149,6 +152,10 @@ Frame frame_of(const Chart& chart) {
         }
     }
     if (frame.x.empty()) return frame;
+    if (chart.x_span) {
+        frame.x.include(chart.x_span->x());
+        frame.x.include(chart.x_span->y());
+    }
     if (chart.y_from_zero) frame.y.include(0.0);
     frame.y.pad(0.06, 1e-3);
     if (!chart.equal_scales) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@ struct ChartSeries {
     std::string colour;  ///< as in CSS
     std::vector<std::vector<Eigen::Vector2d>> pieces;
     bool dashed = false;
+    double width_px = 1.8;
 };
 
 /// A line chart. Series are drawn in their order, the last on top.
@@ -19,7 +21,8 @@ struct Chart {
     std::string x_label;
     std::string y_label;
     std::vector<ChartSeries> series;
-    bool equal_scales = false;  ///< one unit is as long in x as in y, as in a plan
+    bool equal_scales = false;              ///< one unit is as long in x as in y, as in a plan
+    std::optional<Eigen::Vector2d> x_span;  ///< from, to; without it as far as the data go
     bool y_from_zero = false;
 };
 
