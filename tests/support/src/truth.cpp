@@ -75,4 +75,10 @@ EgoMotion exact_motion(const Pose2& from, const Pose2& to) {
     return motion;
 }
 
+EgoMotion exact_motion(const View& from, const View& to) {
+    EgoMotion motion = exact_motion(from.T_world_robot, to.T_world_robot);
+    motion.pitch_rad = from.camera.mount.pitch_rad - to.camera.mount.pitch_rad;
+    return motion;
+}
+
 }  // namespace flownav::testing

@@ -48,4 +48,7 @@ std::optional<FlowTruth> exact_flow(const World& world, const View& from, const 
 /// Exact motion between two poses, as the sensor reports it: turn, and the chord along half the turn.
 EgoMotion exact_motion(const Pose2& from, const Pose2& to);
 
+/// The same with the turn about the camera's x axis, from the pitch of the two mounts.
+EgoMotion exact_motion(const View& from, const View& to);
+
 }  // namespace flownav::testing
