@@ -7,6 +7,7 @@
 namespace flownav {
 namespace {
 
+constexpr std::uint32_t first_stand_in = 1;
 constexpr std::uint64_t harmless_length = 1U << 20;
 constexpr std::uint64_t longest_length = 1U << 28;  // no picture or point cloud has more elements
 constexpr std::size_t growth_step = 1U << 20;
@@ -22,16 +23,20 @@ bool is_negated_size(std::uint32_t value) {
 void ObjectStream::begin_object() {
     object_offset_ += at_;
     object_.erase(object_.begin(), object_.begin() + static_cast<std::ptrdiff_t>(at_));
-    at_ = 0;
-    trust_ = false;
-    ran_dry_ = false;
-    doubt_.reset();
+    settled_.clear();
+    rewind(first_stand_in);
 }
 
-void ObjectStream::rewind() {
+void ObjectStream::rewind(std::uint32_t stand_in) {
     at_ = 0;
-    trust_ = true;
+    trace_ = 0;
     ran_dry_ = false;
+    doubts_.clear();
+    stand_in_ = stand_in;
+}
+
+void ObjectStream::settle_doubts() {
+    for (const Doubt& doubt : doubts_) settled_.insert(doubt.byte_offset);
 }
 
 std::size_t ObjectStream::make_available(std::size_t count) {
@@ -54,25 +59,26 @@ std::vector<std::uint8_t> ObjectStream::peek(std::size_t count) {
 }
 
 size_t ObjectStream::Read(void* target, size_t count) {
+    trace_ = (trace_ ^ count) * 0x100000001b3U + 1;
     const std::size_t n = make_available(count);
     if (n < count) {
         ran_dry_ = true;
         throw std::runtime_error("the object needs more bytes than the file has");
     }
     std::memcpy(target, object_.data() + at_, n);
-    if (count == 4 && !trust_) hide_implausible_length(static_cast<std::uint8_t*>(target));
+    if (count == 4) replace_if_in_doubt(static_cast<std::uint8_t*>(target));
     at_ += n;
     return n;
 }
 
-void ObjectStream::hide_implausible_length(std::uint8_t* four_bytes) {
+void ObjectStream::replace_if_in_doubt(std::uint8_t* four_bytes) {
     std::uint32_t value = 0;
     std::memcpy(&value, four_bytes, 4);
     const std::uint64_t left = object_.size() - at_ + bytes_.upper_bound();
     const std::uint64_t limit = std::clamp(left, harmless_length, longest_length);
-    if (value <= limit || is_negated_size(value)) return;
-    if (!doubt_) doubt_ = Doubt{value, getPosition()};
-    std::memset(four_bytes, 0, 4);
+    if (value <= limit || is_negated_size(value) || settled_.count(getPosition()) > 0) return;
+    doubts_.push_back({value, getPosition()});
+    std::memcpy(four_bytes, &stand_in_, 4);
 }
 
 size_t ObjectStream::Write(const void* /*source*/, size_t /*count*/) {

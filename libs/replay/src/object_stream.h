@@ -2,7 +2,7 @@
 #include <mrpt/io/CStream.h>
 
 #include <cstdint>
-#include <optional>
+#include <set>
 #include <vector>
 
 #include "input_bytes.h"
@@ -10,12 +10,13 @@
 namespace flownav {
 
 /// Feeds MRPT's deserialization one object at a time, and keeps that object's bytes so that it can be read
-/// twice.
+/// again.
 ///
 /// MRPT allocates whatever a stored length asks for, so that one flipped bit can ask for gigabytes. A 4-byte
-/// value larger than anything the file can still hold is therefore handed out as 0 in the first pass. An
-/// object that nevertheless reads to its end flag only contained a number (a float, say): rewind() then lets
-/// the second pass see it. One that does not was damaged.
+/// value larger than anything the file can still hold is therefore in doubt: a stand-in is handed out
+/// instead. A length shows itself because another stand-in makes the object read other pieces (trace());
+/// whatever leaves the pieces alone is only a number, and settle_doubts() lets it pass as stored from then
+/// on.
 class ObjectStream : public mrpt::io::CStream {
   public:
     struct Doubt {
@@ -28,14 +29,17 @@ class ObjectStream : public mrpt::io::CStream {
     /// Forgets the bytes of the object before; the next one begins here.
     void begin_object();
 
-    /// Reads the same object again, this time with every value as stored.
-    void rewind();
+    /// Reads the same object again with this stand-in for values in doubt.
+    void rewind(std::uint32_t stand_in);
+
+    void settle_doubts();
 
     /// The bytes ahead without consuming them; fewer at the end of the file.
     std::vector<std::uint8_t> peek(std::size_t count);
 
+    const std::vector<Doubt>& doubts() const { return doubts_; }  ///< of this pass
+    std::uint64_t trace() const { return trace_; }                ///< digest of the sizes of all pieces read
     bool ran_dry() const { return ran_dry_; }  ///< the object asked for bytes that are not there
-    const std::optional<Doubt>& doubt() const { return doubt_; }  ///< first value that was replaced by 0
     std::uint64_t object_offset() const { return object_offset_; }
 
     size_t Read(void* target, size_t count) override;
@@ -46,15 +50,17 @@ class ObjectStream : public mrpt::io::CStream {
 
   private:
     std::size_t make_available(std::size_t count);
-    void hide_implausible_length(std::uint8_t* four_bytes);
+    void replace_if_in_doubt(std::uint8_t* four_bytes);
 
     InputBytes& bytes_;
     std::vector<std::uint8_t> object_;  ///< from the object's first byte on
     std::size_t at_ = 0;
     std::uint64_t object_offset_ = 0;
+    std::uint32_t stand_in_ = 0;
+    std::uint64_t trace_ = 0;
     bool ran_dry_ = false;
-    bool trust_ = false;
-    std::optional<Doubt> doubt_;
+    std::vector<Doubt> doubts_;
+    std::set<std::uint64_t> settled_;  ///< offsets of values that turned out to be mere numbers
 };
 
 }  // namespace flownav
