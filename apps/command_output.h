@@ -1,0 +1,48 @@
+#pragma once
+#include <mrpt/3rdparty/tclap/CmdLine.h>
+
+#include <ostream>
+#include <string>
+
+namespace flownav {
+
+/// What a program says about its arguments: its own help text, its version in one line, and errors that point
+/// to
+/// --help. Takes the place of TCLAP's output in `command`, which may be parsed while this lives.
+class CommandOutput : public TCLAP::StdOutput {
+  public:
+    CommandOutput(TCLAP::CmdLine& command, std::string name, std::string help, std::ostream& out,
+                  std::ostream& error)
+        : StdOutput(out), name_(std::move(name)), help_(std::move(help)), out_(out), error_(error) {
+        delete command.getOutput();  // TCLAP forgets the one it made itself
+        command.setOutput(this);
+    }
+
+    void usage(TCLAP::CmdLineInterface& /*command*/) override { out_ << help_; }
+
+    void version(TCLAP::CmdLineInterface& command) override {
+        out_ << name_ << ' ' << command.getVersion() << '\n';
+    }
+
+    void failure(TCLAP::CmdLineInterface& /*command*/, TCLAP::ArgException& exception) override {
+        fail(exception.error() + " (" + exception.argId() + ")");
+    }
+
+    /// The same for what TCLAP does not check.
+    void fail(const std::string& message) {
+        failed_ = true;
+        error_ << name_ << ": " << message << "\nTry " << name_ << " --help\n";
+    }
+
+    /// Whether the arguments were wrong.
+    bool failed() const { return failed_; }
+
+  private:
+    std::string name_;
+    std::string help_;
+    std::ostream& out_;
+    std::ostream& error_;
+    bool failed_ = false;
+};
+
+}  // namespace flownav
