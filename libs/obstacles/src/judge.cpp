@@ -34,14 +34,17 @@ Judgement judge(const RayFlow& ray, const CameraModel& camera, const EgoMotion& 
     // Eq. (13)
     const double ground = plane.ground_inverse_depth(ray.at);
     j.excess_px = (j.inverse_depth - ground) * length / one_px;
+    // A speed that is not known well could explain this much of the excess.
+    const double ground_px = ground * length / one_px;
+    const double travel_error = motion.sigma_forward_m / std::max(travel.norm(), 1e-9);
+    const double tau_px = params.tau_px + 2.0 * travel_error * ground_px;
     // Eq. (11)
     const double across_px = std::abs(cross(e, d)) / (length * pixel_across(e, camera));
     if (across_px >= params.lambda_px || e.dot(d) <= 0.0) {
         j.fate = BlockFate::Eliminated;
-    } else if (j.excess_px > params.tau_px) {
+    } else if (j.excess_px > tau_px) {
         j.fate = BlockFate::Unsupported;
-    } else if (j.excess_px > -params.tau_px &&
-               ground * length / one_px > ground_evidence_tau * params.tau_px) {
+    } else if (j.excess_px > -tau_px && ground_px > ground_evidence_tau * tau_px) {
         j.fate = BlockFate::Ground;
     }
     return j;

@@ -15,10 +15,11 @@ namespace {
 using Eigen::Vector2d;
 using Impl = State::Impl;
 
-constexpr int confident_min = 16;         // vectors; with fewer there is no texture to speak of
-constexpr double inlier_share_min = 0.5;  // of the confident vectors; below the motion is lost
-constexpr double supported_share = 0.4;   // of the placed blocks; below a search may find something better
-constexpr std::size_t coarse_step = 3;    // the search looks at every third block
+constexpr int confident_min = 16;          // vectors; with fewer there is no texture to speak of
+constexpr double inlier_share_min = 0.5;   // of the confident vectors; below the motion is lost
+constexpr double supported_share = 0.4;    // of the placed blocks; below a search may find something better
+constexpr std::size_t coarse_step = 3;     // the search looks at every third block
+constexpr double speed_drift_per_s = 0.3;  // relative; how fast a speed that is carried over loses its worth
 
 double seconds_since_reference(const Impl& s) {
     return s.newest.field.timestamp_s - s.reference.field.timestamp_s;
@@ -68,6 +69,8 @@ void measure_newest(Impl& s, const MotionPrediction& prediction) {
     if (s.measured.estimate.motion.inliers >= supported_share * s.measured.placed) return;
     const MotionPrediction found = search_motion(s.reference, s.newest, s.coarse_layout, context, s.trial);
     measure(s.reference, s.newest, s.layout, found, context, s.trial);
+    EgoMotion& trial = s.trial.estimate.motion;
+    if (!trial.forward_measured) trial.forward_m = prediction.forward_m;  // the hypothesis is no measurement
     if (s.trial.estimate.motion.inliers > s.measured.estimate.motion.inliers) std::swap(s.trial, s.measured);
 }
 
@@ -100,7 +103,7 @@ FieldStatus status_of(const Measurement& m) {
 }
 
 /// Takes the measured motion, or the prediction where there is none to trust.
-void accept_motion(Impl& s, const MotionPrediction& prediction) {
+void accept_motion(Impl& s, const MotionPrediction& prediction, double since_last_s) {
     Step& out = s.step;
     const EgoMotion& measured = s.measured.estimate.motion;
     out.status = status_of(s.measured);
@@ -110,6 +113,13 @@ void accept_motion(Impl& s, const MotionPrediction& prediction) {
         out.motion.omega_rad = prediction.omega_rad;
         out.motion.pitch_rad = prediction.pitch_rad;
         out.motion.forward_m = prediction.forward_m;
+    }
+    if (out.motion.forward_measured) {
+        s.rates.sigma_v_relative =
+            out.motion.sigma_forward_m / std::max(std::abs(out.motion.forward_m), 1e-6);
+    } else {
+        s.rates.sigma_v_relative = std::min(1.0, s.rates.sigma_v_relative + speed_drift_per_s * since_last_s);
+        out.motion.sigma_forward_m = s.rates.sigma_v_relative * std::abs(out.motion.forward_m);
     }
     out.counts.inliers = measured.inliers;
     out.counts.ground_window = measured.ground_window;
@@ -125,7 +135,8 @@ void publish_motion(Impl& s, double since_last_s) {
     out.v_mps = out.motion.forward_m / seconds_since_reference(s);
     out.v_measured = out.motion.forward_measured && out.image_of_cycle >= out.cycle_images;
     out.T_start_robot = compose(s.T_start_reference, along_arc(out.motion.omega_rad, out.motion.forward_m));
-    s.rates = {out.omega_radps, out.v_mps};
+    s.rates.omega_radps = out.omega_radps;
+    s.rates.v_mps = out.v_mps;
 }
 
 /// A field that shows nothing: the rates carry the odometry on, the reference stays.
@@ -180,7 +191,7 @@ const Step& step(State& state, const Field& field) {
     const MotionPrediction prediction = predict(s, since_last_s);
     measure_newest(s, prediction);
     record_vectors(s);
-    accept_motion(s, prediction);
+    accept_motion(s, prediction, since_last_s);
     publish_motion(s, since_last_s);
     judge_blocks(s);
     if (s.step.image_of_cycle >= s.step.cycle_images) {

@@ -18,6 +18,7 @@ struct ImageOfCycle {
 struct Rates {
     double omega_radps = 0.0;
     double v_mps = 0.0;
+    double sigma_v_relative = 1.0;  ///< of v_mps; 1: not known at all
 };
 
 struct State::Impl {

@@ -14,24 +14,27 @@ struct MotionSample {
 
 /// Working memory of estimate_motion(), kept between calls so that nothing is allocated.
 struct MotionScratch {
-    struct Row {
-        double turn, pitch, value;  ///< pixels across e per radian of turn, of pitch; and measured
-        double weight;
+    /// One equation across e: turn * omega + pitch * pitch rate = measured, all in pixels.
+    struct Across {
+        double turn, pitch, measured, weight;
     };
-    std::vector<Row> rows;
+    /// The travel that one vector of the floor stands for, with its deviation for a vector error of 1 px.
+    struct Along {
+        double travel_m, sigma_m;
+    };
+    std::vector<Across> across;
+    std::vector<Along> along;
     std::vector<double> values;
-    std::vector<double> sigmas;
+};
+
+struct MotionEstimate {
+    EgoMotion motion;
+    double noise_px = 0.0;  ///< robust deviation of the vectors across e
 };
 
 /// Rotation and forward travel of the robot between the reference and the newer field, from vectors anywhere
-/// in the image. Rotation: shorth (6) of omega_i (4), then biweight steps on the same equations, which are
-/// free of the horizon's singularity when written across e. Travel: shorth (12) over the ground window, then
-/// a biweight step. What cannot be measured is taken from the prediction and flagged. Throws nothing.
-/// `noise_px`: deviation of the vectors across e that was found, pixels.
-struct MotionEstimate {
-    EgoMotion motion;
-    double noise_px = 0.0;
-};
+/// in the image. What cannot be measured is taken from the prediction and flagged. Throws nothing, and
+/// allocates only when the scratch has to grow. About 30 us for 350 vectors.
 MotionEstimate estimate_motion(const std::vector<MotionSample>& samples, const CameraModel& camera,
                                const MotionPrediction& prediction, const MotionParams& params,
                                MotionScratch& scratch);

@@ -1,0 +1,99 @@
+#include "rotation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flownav/motion/robust.h"
+
+namespace flownav {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double horizon_margin = 0.06;  // a y + b below which (4) is too noisy to start from
+constexpr double noise_min_px = 0.03;    // no block matcher is better
+constexpr double noise_max_px = 0.7;     // and outliers must not make the scale look worse
+constexpr int biweight_steps = 4;
+constexpr double determinant_min = 1e-3;  // relative; below yaw and pitch cannot be told apart
+
+double start_omega(const std::vector<MotionSample>& samples, const PlaneGeometry& plane,
+                   const Vector2d& direction, MotionScratch& scratch) {
+    scratch.values.clear();
+    for (const MotionSample& s : samples) {
+        if (plane.below_horizon(s.ray.at) < horizon_margin) continue;
+        scratch.values.push_back(omega_of(s.ray, plane, direction));
+    }
+    // Eq. (6)
+    return shorth(scratch.values);
+}
+
+/// The part of f = (S/Z) e + omega h + pitch p across e knows neither S nor Z: one equation a vector.
+void set_up(const std::vector<MotionSample>& samples, const CameraModel& camera, const Vector2d& direction,
+            MotionScratch& scratch) {
+    const PlaneGeometry plane(camera.mount);
+    scratch.across.clear();
+    for (const MotionSample& s : samples) {
+        const Vector2d e = plane.e(s.ray.at, direction);
+        if (e.norm() < 1e-6) continue;
+        const double one_px = e.norm() * pixel_across(e, camera);
+        scratch.across.push_back({cross(e, plane.h(s.ray.at)) / one_px,
+                                  cross(e, PlaneGeometry::p(s.ray.at)) / one_px,
+                                  cross(e, s.ray.flow) / one_px, 1.0});
+    }
+}
+
+double residual_px(const MotionScratch::Across& row, const Rotation& r) {
+    return row.measured - row.turn * r.omega_rad - row.pitch * r.pitch_rad;
+}
+
+/// Weighted least squares; without pitch when the model has none or the vectors cannot tell it from yaw.
+void solve(const MotionScratch& scratch, MotionModel model, Rotation& r) {
+    double tt = 0, tp = 0, pp = 0, tm = 0, pm = 0;
+    for (const auto& row : scratch.across) {
+        tt += row.weight * row.turn * row.turn;
+        tp += row.weight * row.turn * row.pitch;
+        pp += row.weight * row.pitch * row.pitch;
+        tm += row.weight * row.turn * row.measured;
+        pm += row.weight * row.pitch * row.measured;
+    }
+    const double determinant = tt * pp - tp * tp;
+    if (model == MotionModel::YawPitch && determinant > determinant_min * tt * pp) {
+        r.omega_rad = (pp * tm - tp * pm) / determinant;
+        r.pitch_rad = (tt * pm - tp * tm) / determinant;
+        r.sigma_omega_rad = r.noise_px * std::sqrt(pp / determinant);
+    } else if (tt > 0.0) {
+        r.omega_rad = tm / tt;
+        r.pitch_rad = 0.0;
+        r.sigma_omega_rad = r.noise_px / std::sqrt(tt);
+    }
+}
+
+}  // namespace
+
+double noise_of(std::vector<double>& residuals_px) {
+    return std::clamp(robust_deviation(residuals_px), noise_min_px, noise_max_px);
+}
+
+double omega_of(const RayFlow& ray, const PlaneGeometry& plane, const Vector2d& travel) {
+    const Vector2d e = plane.e(ray.at, travel);
+    // Eq. (4)
+    return cross(e, ray.flow) / cross(e, plane.h(ray.at));
+}
+
+Rotation fit_rotation(const std::vector<MotionSample>& samples, const CameraModel& camera,
+                      const Vector2d& direction, const MotionParams& params, MotionScratch& scratch) {
+    Rotation r;
+    r.omega_rad = start_omega(samples, PlaneGeometry(camera.mount), direction, scratch);
+    set_up(samples, camera, direction, scratch);
+    for (int step = 0; step < biweight_steps; ++step) {
+        scratch.values.clear();
+        for (const auto& row : scratch.across) scratch.values.push_back(residual_px(row, r));
+        r.noise_px = noise_of(scratch.values);
+        for (auto& row : scratch.across) row.weight = biweight(residual_px(row, r) / r.noise_px);
+        solve(scratch, params.model, r);
+    }
+    for (const auto& row : scratch.across) r.inliers += std::abs(residual_px(row, r)) < params.lambda_px;
+    return r;
+}
+
+}  // namespace flownav
