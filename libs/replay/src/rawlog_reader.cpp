@@ -2,7 +2,6 @@
 
 #include <mrpt/maps/registerAllClasses.h>
 #include <mrpt/obs/CObservationOdometry.h>
-#include <mrpt/obs/CRawlog.h>
 #include <mrpt/obs/registerAllClasses.h>
 
 #include <deque>
@@ -12,9 +11,22 @@
 
 namespace flownav {
 
+namespace {
+
+/// MRPT's convention; its own CRawlog::detectImagesDirectory() of 2.5.8 loses the separator in front of the
+/// name.
+std::filesystem::path find_images_directory(const std::filesystem::path& file) {
+    for (const char* ending : {"_Images", "_images", "_IMAGES"}) {
+        auto folder = file.parent_path() / (file.stem().string() + ending);
+        if (std::filesystem::is_directory(folder)) return folder;
+    }
+    return file.parent_path() / "Images";
+}
+
+}  // namespace
+
 struct RawlogReader::Impl {
-    explicit Impl(const std::filesystem::path& file)
-        : objects(file), images(mrpt::obs::CRawlog::detectImagesDirectory(file.string())) {}
+    explicit Impl(const std::filesystem::path& file) : objects(file), images(find_images_directory(file)) {}
 
     void unpack(const mrpt::serialization::CSerializable::Ptr& object);
     void unpack(const mrpt::obs::CSensoryFrame& frame);
