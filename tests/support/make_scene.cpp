@@ -40,6 +40,8 @@ struct Arguments {
         ' ', "1"};
     TCLAP::SwitchArg list{"l", "list", "print the kinds of scenes and stop", cmd};
     TCLAP::ValueArg<int> gz{"", "gz", "gz level of the rawlog, 0 to 9", false, 6, "N", cmd};
+    TCLAP::ValueArg<int> grey_step{
+        "", "grey-step", "greys are multiples of this: pictures pack better", false, 1, "N", cmd};
     TCLAP::SwitchArg interlaced{"", "interlaced", "fields of alternating parity instead of frames", cmd};
     TCLAP::ValueArg<int> height{"", "height", "of a frame, px", false, 480, "PX", cmd};
     TCLAP::ValueArg<int> width{"", "width", "of a frame, px", false, 640, "PX", cmd};
@@ -75,6 +77,7 @@ SceneOptions scene_options(Arguments& arguments) {
     scene.camera = standard_camera(arguments.width.getValue(), arguments.height.getValue());
     scene.interlaced = arguments.interlaced.getValue();
     scene.effects.noise_sigma = arguments.noise.getValue();
+    scene.effects.grey_step = arguments.grey_step.getValue();
     scene.effects.gain_sigma = arguments.exposure.getValue();
     scene.effects.pitch_vibration_rad = arguments.vibration.getValue() * M_PI / 180.0;
     return scene;

@@ -15,6 +15,7 @@ ImageEffects effects_of_image(const CameraEffects& effects, int i) {
     image.noise_sigma = effects.noise_sigma;
     image.noise_seed = random.bits();
     image.vignetting = effects.vignetting;
+    image.grey_step = effects.grey_step;
     return image;
 }
 

@@ -34,8 +34,9 @@ double vignette(const CameraModel& camera, double share, int u, int v) {
     return 1.0 - 0.5 * share * (x * x + y * y);
 }
 
-std::uint8_t digitise(double grey) {
-    return static_cast<std::uint8_t>(std::lround(std::clamp(grey, 0.0, 255.0)));
+std::uint8_t digitise(double grey, int step) {
+    const double highest = 255.0 - 255 % step;
+    return static_cast<std::uint8_t>(step * std::lround(std::clamp(grey, 0.0, highest) / step));
 }
 
 }  // namespace
@@ -57,8 +58,8 @@ GreyImage render(const World& world, const View& view, const ImageEffects& effec
         const int v = static_cast<int>(i) / image.width_px;
         const double noise = effects.noise_sigma * normal_of_bits(mix(effects.noise_seed, i));
         const double falloff = vignette(real.camera, effects.vignetting, u, v);
-        image.pixels[i] =
-            digitise(effects.gain * falloff * static_cast<double>(light[i]) + effects.offset + noise);
+        const double grey = effects.gain * falloff * static_cast<double>(light[i]) + effects.offset + noise;
+        image.pixels[i] = digitise(grey, effects.grey_step);
     }
     return image;
 }

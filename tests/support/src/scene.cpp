@@ -21,6 +21,9 @@ void check(const SceneOptions& options) {
         options.camera.height_px > 8192)
         throw std::invalid_argument("image of " + std::to_string(options.camera.width_px) + " x " +
                                     std::to_string(options.camera.height_px) + " px: choose 16 to 8192");
+    if (options.effects.grey_step < 1 || options.effects.grey_step > 64)
+        throw std::invalid_argument("grey_step = " + std::to_string(options.effects.grey_step) +
+                                    ": choose 1 to 64");
     if (!(options.speed_mps >= 0.0 && options.speed_mps <= 10.0))
         throw std::invalid_argument("speed_mps = " + std::to_string(options.speed_mps) + ": choose 0 to 10");
 }

@@ -90,7 +90,7 @@ TextureSampler::TextureSampler(const Texture& texture) : shade_(texture.shade), 
             break;
         case Surface::Carpet:
             base_ = 115.0;
-            add_octaves(0.45, 0.0025, 0.55, 8.5, 1.10);
+            add_octaves(0.45, 0.0025, 0.55, 7.0, 1.12);
             break;
         case Surface::Tiles:
             base_ = 135.0;

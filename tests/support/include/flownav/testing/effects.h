@@ -12,6 +12,7 @@ struct CameraEffects {
     double gain_sigma = 0.0;           ///< of the exposure from image to image
     double offset_sigma = 0.0;         ///< grey levels
     double vignetting = 0.25;          ///< share of light lost in the corners
+    int grey_step = 1;                 ///< greys are multiples of this
     double pitch_vibration_rad = 0.0;  ///< standard deviation
     double roll_vibration_rad = 0.0;   ///< standard deviation
     double floor_sigma_m = 0.0;        ///< of the camera's height over the ground

@@ -13,6 +13,7 @@ struct ImageEffects {
     double noise_sigma = 0.0;  ///< grey levels
     std::uint64_t noise_seed = 0;
     double vignetting = 0.0;  ///< share of light lost in the corners, 0..1
+    int grey_step = 1;        ///< greys are multiples of this: a coarse digitiser, pictures pack better
     double pitch_rad = 0.0;   ///< added to the mount: vibration
     double roll_rad = 0.0;
     double height_m = 0.0;  ///< added to the mount: uneven floor

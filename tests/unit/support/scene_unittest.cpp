@@ -1,0 +1,113 @@
+#include "flownav/testing/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+namespace flownav::testing {
+namespace {
+
+TEST(Scene, SameSeedGivesTheSameSceneAndAnotherSeedAnother) {
+    const auto centres = [](const Scene& scene) {
+        std::vector<double> x;
+        for (const Primitive& p : scene.world.primitives) x.push_back(p.centre_m.x());
+        return x;
+    };
+    EXPECT_EQ(centres(make_scene(SceneKind::SCurve, 5)), centres(make_scene(SceneKind::SCurve, 5)));
+    EXPECT_NE(centres(make_scene(SceneKind::SCurve, 5)), centres(make_scene(SceneKind::SCurve, 6)));
+}
+
+TEST(Scene, NothingStandsNearerThanHalfAMetreToThePath) {
+    for (const SceneKind kind :
+         {SceneKind::Straight, SceneKind::SCurve, SceneKind::Turns, SceneKind::Corridor})
+        for (const std::uint64_t seed : {1U, 2U, 3U}) {
+            const Scene scene = make_scene(kind, seed);
+            double nearest_m = 1e9;
+            for (const Pose2& pose : scene.poses)
+                for (const Primitive& p : scene.world.primitives)
+                    nearest_m = std::min(nearest_m, distance_m(p, {pose.x_m, pose.y_m}));
+            EXPECT_GE(nearest_m, 0.499) << to_string(kind) << " seed " << seed;
+        }
+}
+
+TEST(Scene, HasManyObjectsAndWallsOnAllSides) {
+    for (const SceneKind kind :
+         {SceneKind::Straight, SceneKind::SCurve, SceneKind::Turns, SceneKind::Corridor}) {
+        std::set<int> objects;
+        for (const Primitive& p : make_scene(kind, 1).world.primitives) objects.insert(p.object);
+        EXPECT_GE(objects.size(), 8U) << to_string(kind);
+        EXPECT_TRUE(objects.count(wall_object)) << to_string(kind);
+    }
+    EXPECT_TRUE(make_scene(SceneKind::Free, 1).world.primitives.empty());
+}
+
+TEST(Scene, SpeedAndTurnRateAreThoseOfTheDrive) {
+    for (const SceneKind kind : all_scene_kinds) {
+        const Scene scene = make_scene(kind, 1);
+        double fastest_radps = 0.0;
+        for (std::size_t i = 1; i < scene.poses.size(); ++i) {
+            const EgoMotion motion = exact_motion(scene.poses[i - 1], scene.poses[i]);
+            EXPECT_NEAR(motion.forward_m * 25.0, 0.4, 1e-4);
+            fastest_radps = std::max(fastest_radps, std::abs(motion.omega_rad) * 25.0);
+        }
+        EXPECT_LE(fastest_radps, 30.01 * M_PI / 180.0) << to_string(kind);
+        const bool turns = kind == SceneKind::Turns || kind == SceneKind::SCurve;
+        EXPECT_EQ(fastest_radps > 0.5, turns) << to_string(kind);
+    }
+}
+
+TEST(Scene, InterlacedImagesAlternateTheirParityTopFirst) {
+    SceneOptions options;
+    options.camera = standard_camera(768, 576);
+    options.interlaced = true;
+    const Scene scene = make_scene(options);
+    EXPECT_DOUBLE_EQ(nominal_view(scene, 0).camera.cy_px, 143.75);
+    EXPECT_DOUBLE_EQ(nominal_view(scene, 1).camera.cy_px, 143.25);
+    EXPECT_DOUBLE_EQ(nominal_view(scene, 2).camera.cy_px, 143.75);
+}
+
+TEST(Scene, VibrationMovesTheTrueCameraAndLeavesTheNominalOne) {
+    SceneOptions options;
+    options.effects.pitch_vibration_rad = 0.002;
+    options.effects.floor_sigma_m = 0.005;
+    const Scene scene = make_scene(options);
+    double square = 0.0;
+    for (int i = 0; i < scene.images(); ++i) {
+        EXPECT_DOUBLE_EQ(nominal_view(scene, i).camera.mount.pitch_rad, options.camera.mount.pitch_rad);
+        square += std::pow(true_view(scene, i).camera.mount.pitch_rad - options.camera.mount.pitch_rad, 2);
+    }
+    EXPECT_NEAR(std::sqrt(square / scene.images()), 0.002, 0.0005);
+    EXPECT_NE(true_view(scene, 0).camera.mount.height_m, options.camera.mount.height_m);
+}
+
+TEST(Scene, FieldKeepsItsPixelsAlive) {
+    SceneOptions options;
+    options.camera = standard_camera(64, 48);
+    const Field field = make_field(make_scene(options), 3);
+    EXPECT_DOUBLE_EQ(field.timestamp_s, scene_start_s + 0.12);
+    EXPECT_EQ(field.image.width_px, 64);
+    EXPECT_GT(field.image.at(30, 40), 20);
+}
+
+TEST(Scene, NumbersOutOfRangeAreRefused) {
+    SceneOptions options;
+    options.images = 1;
+    EXPECT_THROW(make_scene(options), std::invalid_argument);
+    options = {};
+    options.rate_hz = 0.0;
+    EXPECT_THROW(make_scene(options), std::invalid_argument);
+    options = {};
+    options.camera.width_px = 0;
+    EXPECT_THROW(make_scene(options), std::invalid_argument);
+}
+
+TEST(Scene, KindsAreFoundByTheirNames) {
+    for (const SceneKind kind : all_scene_kinds) EXPECT_EQ(scene_kind(to_string(kind)), kind);
+    EXPECT_EQ(scene_kind("maze"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace flownav::testing

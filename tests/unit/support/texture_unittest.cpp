@@ -1,0 +1,83 @@
+#include "flownav/testing/texture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace flownav::testing {
+namespace {
+
+struct Spread {
+    double mean = 0.0;
+    double sigma = 0.0;
+};
+
+/// Greys of a row of square footprints of `width_m` across the surface.
+std::vector<double> row_of(const Texture& texture, double width_m, double step_m, int n) {
+    const TextureSampler sampler(texture);
+    std::vector<double> greys;
+    for (int i = 0; i < n; ++i)
+        greys.push_back(
+            sampler.grey({{0.37 * i * step_m, 0.93 * i * step_m}, {width_m, 0.0}, {0.0, width_m}}));
+    return greys;
+}
+
+Spread spread(const std::vector<double>& values) {
+    Spread s;
+    for (const double v : values) s.mean += v / static_cast<double>(values.size());
+    for (const double v : values) s.sigma += (v - s.mean) * (v - s.mean) / static_cast<double>(values.size());
+    s.sigma = std::sqrt(s.sigma);
+    return s;
+}
+
+TEST(Texture, CarpetIsRichLinoIsFaintAndPlainHasNone) {
+    const double carpet = spread(row_of({Surface::Carpet, 1.0, 5}, 0.002, 0.05, 2000)).sigma;
+    const double lino = spread(row_of({Surface::Lino, 1.0, 5}, 0.002, 0.05, 2000)).sigma;
+    EXPECT_GT(carpet, 10.0);
+    EXPECT_LT(lino, 0.5 * carpet);
+    EXPECT_GT(lino, 1.0);
+    EXPECT_LT(spread(row_of({Surface::Plain, 1.0, 5}, 0.002, 0.05, 200)).sigma, 1e-9);
+}
+
+TEST(Texture, OtherSeedIsAnotherPicture) {
+    const std::vector<double> first = row_of({Surface::Carpet, 1.0, 5}, 0.002, 0.01, 100);
+    EXPECT_EQ(first, row_of({Surface::Carpet, 1.0, 5}, 0.002, 0.01, 100));
+    EXPECT_NE(first, row_of({Surface::Carpet, 1.0, 6}, 0.002, 0.01, 100));
+}
+
+TEST(Texture, FadesIntoItsMeanWhenSeenFromFar) {
+    const Spread near = spread(row_of({Surface::Carpet, 1.0, 5}, 0.002, 0.21, 3000));
+    const Spread far = spread(row_of({Surface::Carpet, 1.0, 5}, 0.3, 0.21, 3000));
+    EXPECT_LT(far.sigma, 0.5 * near.sigma);
+    EXPECT_NEAR(far.mean, near.mean, 1.0);
+}
+
+TEST(Texture, LongFootprintIsTheMeanOfItsPieces) {
+    const TextureSampler sampler({Surface::Carpet, 1.0, 5});
+    double worst = 0.0;
+    for (int i = 0; i < 50; ++i) {
+        const Eigen::Vector2d at(0.13 * i, 0.07 * i);
+        double pieces = 0.0;
+        for (int k = 0; k < 16; ++k)
+            pieces +=
+                sampler.grey({at + Eigen::Vector2d(0.0, 0.003 * (k - 7.5)), {0.004, 0.0}, {0.0, 0.003}}) / 16;
+        worst = std::max(worst, std::abs(pieces - sampler.grey({at, {0.004, 0.0}, {0.0, 0.048}})));
+    }
+    EXPECT_LT(worst, 3.0);
+}
+
+TEST(Texture, TilesHaveAJointEveryThirtyCentimetres) {
+    const TextureSampler sampler({Surface::Tiles, 1.0, 5});
+    const auto grey = [&](double x) { return sampler.grey({{x, 0.15}, {0.001, 0.0}, {0.0, 0.001}}); };
+    for (const double joint : {-0.3, 0.0, 0.3, 1.2})
+        EXPECT_LT(grey(joint + 0.003), grey(joint + 0.15) - 30.0);
+}
+
+TEST(Texture, NamesOfFloors) {
+    EXPECT_EQ(floor_surface("tiles"), Surface::Tiles);
+    EXPECT_EQ(floor_surface("grass"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace flownav::testing
