@@ -6,13 +6,10 @@
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/system/datetime.h>
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "flownav/sensor/camera_conversion.h"
 #include "grey_image.h"
-#include "weave.h"
 
 namespace flownav {
 namespace {
@@ -22,9 +19,6 @@ using mrpt::obs::CObservationImage;
 using mrpt::obs::CObservationOdometry;
 using mrpt::obs::CObservationRobotPose;
 
-constexpr std::size_t intervals_kept = 9;
-constexpr double pal_frame_period_s = 0.04;  // of a single woven frame, whose period nothing tells
-
 double seconds(const CObservation& observation) {
     const bool valid = observation.timestamp != INVALID_TIMESTAMP;
     return valid ? mrpt::Clock::toDouble(observation.timestamp) : std::nan("");
@@ -32,12 +26,6 @@ double seconds(const CObservation& observation) {
 
 bool finite(const mrpt::math::TPose3D& p) {
     return std::isfinite(p.x + p.y + p.z + p.yaw + p.pitch + p.roll);
-}
-
-double median(const std::deque<double>& values) {
-    std::vector<double> sorted(values.begin(), values.end());
-    std::sort(sorted.begin(), sorted.end());
-    return sorted[sorted.size() / 2];
 }
 
 PoseSample sample_of(const CObservationOdometry& odometry) {
@@ -53,7 +41,7 @@ PoseSample sample_of(const CObservationRobotPose& truth) {
 }  // namespace
 
 FieldSource::FieldSource(RawlogReader& reader, const CameraConfig& camera)
-    : reader_(reader), camera_(camera) {}
+    : reader_(reader), camera_(camera), splitter_(camera.interlaced) {}
 
 std::optional<ReplayEvent> FieldSource::next() {
     while (waiting_.empty()) {
@@ -63,7 +51,7 @@ std::optional<ReplayEvent> FieldSource::next() {
             consume(observation);
             continue;
         }
-        release_second_half(std::nullopt);
+        hand_out(splitter_.finish());
         if (waiting_.empty()) return std::nullopt;
     }
     const ReplayEvent event = waiting_.front();
@@ -133,30 +121,11 @@ void FieldSource::consume_image(const CObservationImage::Ptr& image) {
     frame.image = grey.view;
     frame.owner = grey.owner;
     note_changes(frame, *image);
-    if (woven)
-        split(frame);
-    else
-        waiting_.emplace_back(frame);
+    hand_out(splitter_.push(frame));
 }
 
-void FieldSource::split(const Field& frame) {
-    release_second_half(frame.timestamp_s);
-    const bool bottom_first = camera_.interlaced == Interlaced::BottomFirst;
-    waiting_.emplace_back(field_of_frame(frame, bottom_first));
-    second_half_ = field_of_frame(frame, !bottom_first);
-}
-
-void FieldSource::release_second_half(std::optional<double> next_frame_s) {
-    if (!second_half_) return;
-    const double frame_s = second_half_->timestamp_s;
-    if (next_frame_s) intervals_s_.push_back(*next_frame_s - frame_s);
-    if (intervals_s_.size() > intervals_kept) intervals_s_.pop_front();
-    double period_s = intervals_s_.empty() ? pal_frame_period_s : median(intervals_s_);
-    // After an early frame the half still has to lie between the two.
-    if (next_frame_s) period_s = std::min(period_s, *next_frame_s - frame_s);
-    second_half_->timestamp_s = frame_s + period_s / 2;
-    waiting_.emplace_back(*second_half_);
-    second_half_.reset();
+void FieldSource::hand_out(const std::vector<Field>& fields) {
+    waiting_.insert(waiting_.end(), fields.begin(), fields.end());
 }
 
 void FieldSource::note_changes(const Field& frame, const CObservationImage& image) {

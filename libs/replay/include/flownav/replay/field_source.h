@@ -8,8 +8,10 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "flownav/core/field.h"
+#include "flownav/replay/field_splitter.h"
 #include "flownav/replay/rawlog_reader.h"
 #include "flownav/sensor/config.h"
 
@@ -60,8 +62,7 @@ class FieldSource {
     void consume_image(const mrpt::obs::CObservationImage::Ptr& image);
     void consume_pose(const PoseSample& sample, const std::string& kind);
     bool accept_time(const std::string& kind, double timestamp_s);
-    void split(const Field& frame);
-    void release_second_half(std::optional<double> next_frame_s);
+    void hand_out(const std::vector<Field>& fields);
     void note_changes(const Field& frame, const mrpt::obs::CObservationImage& image);
 
     RawlogReader& reader_;
@@ -70,9 +71,7 @@ class FieldSource {
     std::map<std::string, double> last_time_s_;  ///< of each kind of event
     std::optional<CameraModel> last_camera_;
     std::deque<ReplayEvent> waiting_;
-    std::optional<Field>
-        second_half_;  ///< of a woven frame, with the frame's time until the next frame tells the period
-    std::deque<double> intervals_s_;  ///< the latest intervals between woven frames
+    FieldSplitter splitter_;
 };
 
 }  // namespace flownav
