@@ -1,0 +1,86 @@
+#include "import_app.h"
+
+#include <memory>
+#include <ostream>
+
+#include "flownav/replay/image_folder.h"
+#include "flownav/replay/kitti.h"
+#include "flownav/replay/output_file.h"
+#include "flownav/replay/progress.h"
+#include "flownav/replay/rawlog_reader.h"
+#include "flownav/replay/recording_writer.h"
+#include "flownav/replay/video_file.h"
+#include "import_options.h"
+
+namespace flownav {
+namespace {
+
+constexpr int usage_status = 1;
+constexpr int damaged_status = 2;
+constexpr int output_status = 3;
+constexpr double kitti_rate_hz = 10.0;
+constexpr std::size_t problems_shown = 5;
+
+std::unique_ptr<ImageSequence> open_sequence(const ImportOptions& o) {
+    switch (o.kind) {
+        case ImportKind::KittiOdometry:
+            return std::make_unique<KittiOdometry>(o.source, o.part, o.mount);
+        case ImportKind::KittiRaw:
+            return std::make_unique<KittiRaw>(o.source, o.part, o.rate_hz.value_or(kitti_rate_hz), o.mount);
+        case ImportKind::Images:
+            return std::make_unique<ImageFolder>(o.source, o.camera, FrameTimes{o.times, o.rate_hz});
+        case ImportKind::Video:
+            return std::make_unique<VideoFile>(o.source, o.camera, o.rate_hz);
+    }
+    return nullptr;
+}
+
+int report_problems(const ImageSequence& sequence, std::ostream& error) {
+    const auto& problems = sequence.problems();
+    for (std::size_t i = 0; i < problems.size() && i < problems_shown; ++i) {
+        error << "flownav-import: " << problems[i] << '\n';
+    }
+    if (problems.size() > problems_shown) {
+        error << "flownav-import: and " << problems.size() - problems_shown << " more\n";
+    }
+    return problems.empty() ? 0 : damaged_status;
+}
+
+int run(const ImportOptions& options, std::ostream& out, std::ostream& error) {
+    const auto sequence = open_sequence(options);
+    const auto* folder = dynamic_cast<const ImageFolder*>(sequence.get());
+    if (folder != nullptr && !options.quiet) out << "times: " << folder->times_source() << '\n';
+    Progress progress(stdout, options.quiet ? Progress::Style::Silent : Progress::style_for(stdout));
+    RecordingOptions recording;
+    recording.output = options.output;
+    recording.camera_label = options.camera.camera_label;
+    recording.interlaced = options.camera.interlaced;
+    recording.progress = [&progress](double share, std::uint64_t fields) { progress.update(share, fields); };
+    const RecordingCounts counts = write_recording(*sequence, recording);
+    progress.finish(counts.fields);
+    if (!options.quiet) {
+        out << options.output.string() << ": " << counts.fields << " images, " << counts.poses
+            << " poses of ground truth\n";
+    }
+    return report_problems(*sequence, error);
+}
+
+}  // namespace
+
+int run_import_app(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& error) {
+    const auto fail = [&error](const std::exception& exception, int status) {
+        error << "flownav-import: " << exception.what() << '\n';
+        return status;
+    };
+    try {
+        int status = 0;
+        const auto options = parse_import_options(arguments, out, error, status);
+        return options ? run(*options, out, error) : status;
+    } catch (const OutputError& exception) {
+        return fail(exception, output_status);
+    } catch (const std::exception& exception) {
+        return fail(exception, usage_status);
+    }
+}
+
+}  // namespace flownav

@@ -1,0 +1,33 @@
+#pragma once
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flownav/core/camera_model.h"
+#include "flownav/sensor/config.h"
+
+namespace flownav {
+
+enum class ImportKind { KittiOdometry, KittiRaw, Images, Video };
+
+/// What the arguments ask for.
+struct ImportOptions {
+    ImportKind kind = ImportKind::Images;
+    std::filesystem::path source;  ///< DIR, DATEDIR or FILE
+    std::string part;              ///< SEQ or DRIVE
+    std::filesystem::path output;
+    CameraMount mount;    ///< of KITTI's camera 0
+    CameraConfig camera;  ///< of pictures and videos
+    std::optional<double> rate_hz;
+    std::filesystem::path times;
+    bool quiet = false;
+};
+
+/// Nothing when the arguments have been answered; then `status` says how.
+/// Throws ConfigError: a camera file or a value that cannot be used.
+std::optional<ImportOptions> parse_import_options(const std::vector<std::string>& arguments,
+                                                  std::ostream& out, std::ostream& error, int& status);
+
+}  // namespace flownav
