@@ -117,18 +117,10 @@ std::vector<std::array<int, neighbours_max>> find_neighbours(const BlockLayout& 
 BlockLayout place_blocks(const RayMapper& mapper, const FlowParams& params) {
     const CameraModel& camera = mapper.camera();
     BlockLayout layout;
-    sample_into(layout, density_over(mapper, params.blind_cone, false), params.blocks);
-    const auto window_has = [&] {
-        return std::count_if(layout.corner_px.begin(), layout.corner_px.end(), [&](const Vector2i& c) {
-            return in_ground_window(c.cast<double>().array() + half_block_px, camera);
-        });
-    };
-    const int missing = ground_window_min - static_cast<int>(window_has());
-    if (!layout.corner_px.empty() && missing > 0) {
-        layout.corner_px.resize(params.blocks - missing);
-        sample_into(layout, density_over(mapper, params.blind_cone, true), ground_window_min);
-        layout.corner_px.resize(std::min<std::size_t>(layout.size(), params.blocks));
-    }
+    const int in_window = std::min(ground_window_min, params.blocks);
+    sample_into(layout, density_over(mapper, params.blind_cone, true), in_window);
+    const int anywhere = params.blocks - static_cast<int>(layout.size());
+    sample_into(layout, density_over(mapper, params.blind_cone, false), anywhere);
     for (const Vector2i& c : layout.corner_px) {
         layout.centre_px.emplace_back(c.x() + half_block_px, c.y() + half_block_px);
         layout.in_ground_window.push_back(in_ground_window(layout.centre_px.back(), camera) ? 1 : 0);
