@@ -101,8 +101,8 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
     TCLAP::CmdLine command("", ' ', version());
     Output output(out, error);
     command.setOutput(&output);
-    TCLAP::UnlabeledValueArg<std::string> input("input", "", true, "", "INPUT.rawlog", command);
-    TCLAP::ValueArg<std::string> folder("", "output", "", true, "", "DIR", command);
+    TCLAP::UnlabeledValueArg<std::string> input("input", "", false, "", "INPUT.rawlog", command);
+    TCLAP::ValueArg<std::string> folder("", "output", "", false, "", "DIR", command);
     TCLAP::ValueArg<std::string> file("", "config", "", false, "", "FILE.ini", command);
     TCLAP::MultiArg<std::string> settings("", "set", "", false, "section.key=value", command);
     TCLAP::ValueArg<int> threads("", "threads", "", false, 1, "N", command);
@@ -116,6 +116,8 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
         status = output.failed ? usage_status : 0;
         return std::nullopt;
     }
+    if (!input.isSet() || !folder.isSet())
+        throw ConfigError("needs INPUT.rawlog and --output DIR\nTry flownav-replay --help");
     CommandLine result;
     result.quiet = quiet.getValue();
     result.options.input = input.getValue();

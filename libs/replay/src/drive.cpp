@@ -27,9 +27,9 @@ std::string end_sentence(const Drive& drive) {
     if (drive.end.kind == ReadEnd::Kind::Clean && !stopped) {
         return "The input was read to its clean end (" + objects + ").";
     }
-    const std::string& reason = stopped ? drive.stop_reason : drive.end.message;
-    return "The input could not be read to its end: " + reason + ". What came before (" + objects +
-           ") was used.";
+    const std::string problem = "The input could not be read to its end: ";
+    if (!stopped) return problem + drive.end.message;
+    return problem + drive.stop_reason + ". What came before was used.";
 }
 
 std::vector<std::uint64_t> status_counts(const std::vector<FieldRow>& rows) {

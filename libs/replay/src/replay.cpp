@@ -34,6 +34,21 @@ class Stopwatch {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+        text.replace(at, from.size(), to);
+    }
+}
+
+/// "a (3), b (1)"
+std::string listed(const std::map<std::string, std::uint64_t>& counts) {
+    std::string text;
+    for (const auto& [name, count] : counts) {
+        text += (text.empty() ? "" : ", ") + name + " (" + std::to_string(count) + ')';
+    }
+    return text;
+}
+
 class Run {
   public:
     explicit Run(const ReplayOptions& options) : options_(options), state_(options.config.pipeline) {
@@ -77,6 +92,8 @@ class Run {
             drive_.end.kind = ReadEnd::Kind::Corrupt;
             drive_.end.message = error.what();
         }
+        // The results shall not depend on where the file lies.
+        replace_all(drive_.end.message, options_.input.string(), drive_.input_name);
         if (!outputs_ && drive_.end.kind == ReadEnd::Kind::Clean) throw UsageError(no_field_message());
     }
 
@@ -168,21 +185,12 @@ class Run {
     }
 
     std::string no_field_message() const {
-        std::string message = "no field could be used in " + options_.input.string() + ": ";
-        if (drive_.read.images > 0) return message + rejected_text();
-        message += "it has no image labelled " + options_.config.camera.camera_label;
-        if (drive_.read.observations.empty()) return message + "; it holds no observation";
-        message += "; it holds";
-        for (const auto& [name, count] : drive_.read.observations)
-            message += ' ' + name + " (" + std::to_string(count) + ')';
-        return message + "; set camera.camera_label";
-    }
-
-    std::string rejected_text() const {
-        std::string text = "all images were rejected:";
-        for (const auto& [reason, count] : drive_.read.rejected)
-            text += ' ' + reason + " (" + std::to_string(count) + ')';
-        return text;
+        const std::string message = "no field could be used in " + options_.input.string() + ": ";
+        if (drive_.read.images > 0)
+            return message + "all images were rejected: " + listed(drive_.read.rejected);
+        if (drive_.read.observations.empty()) return message + "it holds no observation";
+        return message + "it has no image labelled " + options_.config.camera.camera_label + " but " +
+               listed(drive_.read.observations) + "; set camera.camera_label";
     }
 
     const ReplayOptions& options_;
