@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -98,6 +99,8 @@ int write(const Scene& scene, const std::string& basename, int gz_level) {
 
 int run(int argc, const char* const* argv) {
     Arguments arguments;
+    const std::unique_ptr<TCLAP::CmdLineOutput> replaced(
+        arguments.cmd.getOutput());  // nobody else deletes it
     arguments.cmd.setOutput(&arguments.output_style);
     std::vector<const char*> words(argv, argv + argc);
     if (!arguments.cmd.parse(argc, words.data())) return 0;

@@ -2,13 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <utility>
 
 namespace flownav::testing {
 
 using Eigen::Vector3d;
 
-TileFrustum::TileFrustum(const Vector3d& origin_m, const std::array<Vector3d, 4>& corners)
-    : origin_m_(origin_m) {
+TileFrustum::TileFrustum(Vector3d origin_m, const std::array<Vector3d, 4>& corners)
+    : origin_m_(std::move(origin_m)) {
     const Vector3d centre = corners[0] + corners[1] + corners[2] + corners[3];
     for (std::size_t i = 0; i < 4; ++i) {
         const Vector3d normal = corners[i].cross(corners[(i + 1) % 4]);

@@ -11,7 +11,7 @@ namespace flownav::testing {
 class TileFrustum {
   public:
     /// Directions of the tile's corners, in order around it.
-    TileFrustum(const Eigen::Vector3d& origin_m, const std::array<Eigen::Vector3d, 4>& corners);
+    TileFrustum(Eigen::Vector3d origin_m, const std::array<Eigen::Vector3d, 4>& corners);
 
     /// False only when the solid surely lies outside.
     bool may_show(const Solid& solid) const;

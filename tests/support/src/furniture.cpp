@@ -35,9 +35,10 @@ double rounded(double value) {
 Thing make_chair(Random& random) {
     const double half = 0.20;
     Thing chair;
-    for (const double x : {-half, half})
+    for (const double x : {-half, half}) {
         for (const double y : {-half, half})
             chair.push_back(cylinder({x, y}, 0.017, 0.43, Surface::Faint, random.uniform(0.5, 0.7)));
+    }
     chair.push_back(box({0, 0}, 0.43, 0.47, 0.22, 0.22, Surface::Patterned, 0.8));
     chair.push_back(box({-0.21, 0}, 0.62, 0.92, 0.015, 0.22, Surface::Patterned, 0.8));
     return chair;

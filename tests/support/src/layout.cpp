@@ -17,7 +17,8 @@ constexpr double ahead_m = 3.0;  ///< things stand along this much more than the
 /// The path, and straight on from its end.
 std::vector<Pose2> extended(const std::vector<Pose2>& path) {
     std::vector<Pose2> longer = path;
-    for (double d = 0.05; d <= ahead_m; d += 0.05) longer.push_back(compose(path.back(), {d, 0.0, 0.0}));
+    constexpr int steps = 60;
+    for (int i = 1; i <= steps; ++i) longer.push_back(compose(path.back(), {i * ahead_m / steps, 0.0, 0.0}));
     return longer;
 }
 
@@ -64,7 +65,8 @@ void add_things(World& world, const SceneOptions& options, const std::vector<Pos
     int object = 1;
     for (int attempt = 0; attempt < 60 * wanted && object <= wanted; ++attempt) {
         const auto along = static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(way.size())));
-        const double side_m = random.uniform(0.6, reach_m) * (random.uniform(0, 1) < 0.5 ? -1.0 : 1.0);
+        const double beside_m = random.uniform(0.6, reach_m);
+        const double side_m = random.uniform(0, 1) < 0.5 ? -beside_m : beside_m;
         const Vector2d at_m = transform(way[along], Vector2d(0.5, side_m));
         const Thing raw = options.kind == SceneKind::Corridor ? make_corridor_thing(object, random)
                                                               : make_thing(object, random);

@@ -122,9 +122,10 @@ Tangent tangent_at(const std::vector<Solid>& solids, const Hit& hit, const Vecto
         return {Vector3d::UnitZ(), Vector3d::UnitX(), Vector3d::UnitY(), point_m.head<2>()};
     const Solid& s = solids[static_cast<std::size_t>(hit.primitive)];
     const Vector3d local = s.local_point(point_m);
-    if (hit.face == Top || hit.face == Bottom)
+    if (hit.face == Top || hit.face == Bottom) {
         return {Vector3d::UnitZ(), s.to_world(Vector3d::UnitX()), s.to_world(Vector3d::UnitY()),
                 local.head<2>()};
+    }
     return tangent_of_side(s, hit.face, local);
 }
 

@@ -14,16 +14,19 @@ namespace {
 void check(const SceneOptions& options) {
     if (options.images < 2 || options.images > 100000)
         throw std::invalid_argument("images = " + std::to_string(options.images) + ": choose 2 to 100000");
-    if (!(options.rate_hz > 0.0 && options.rate_hz <= 1000.0))
+    if (!(options.rate_hz > 0.0 && options.rate_hz <= 1000.0)) {
         throw std::invalid_argument("rate_hz = " + std::to_string(options.rate_hz) +
                                     ": choose above 0, up to 1000");
+    }
     if (options.camera.width_px < 16 || options.camera.height_px < 16 || options.camera.width_px > 8192 ||
-        options.camera.height_px > 8192)
+        options.camera.height_px > 8192) {
         throw std::invalid_argument("image of " + std::to_string(options.camera.width_px) + " x " +
                                     std::to_string(options.camera.height_px) + " px: choose 16 to 8192");
-    if (options.effects.grey_step < 1 || options.effects.grey_step > 64)
+    }
+    if (options.effects.grey_step < 1 || options.effects.grey_step > 64) {
         throw std::invalid_argument("grey_step = " + std::to_string(options.effects.grey_step) +
                                     ": choose 1 to 64");
+    }
     if (!(options.speed_mps >= 0.0 && options.speed_mps <= 10.0))
         throw std::invalid_argument("speed_mps = " + std::to_string(options.speed_mps) + ": choose 0 to 10");
 }

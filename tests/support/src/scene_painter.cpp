@@ -23,6 +23,11 @@ bool same_surface(const Hit& a, const Hit& b) {
     return a.primitive == b.primitive && a.face == b.face;
 }
 
+/// Place of (u, v) in an array of rows of `columns`.
+std::size_t index_of(int u, int v, int columns) {
+    return static_cast<std::size_t>(v) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(u);
+}
+
 /// Where a tile's rays begin and end, a little beyond its border.
 constexpr int margin_px = 1;
 
@@ -32,10 +37,11 @@ std::vector<Vector2d> corner_rays(const CameraModel& camera) {
     const int rows = camera.height_px + 1;
     std::vector<Vector2d> rays(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
 #pragma omp parallel for schedule(static)
-    for (int v = 0; v < rows; ++v)
-        for (int u = 0; u < columns; ++u)
-            rays[static_cast<std::size_t>(v) * static_cast<std::size_t>(columns) +
-                 static_cast<std::size_t>(u)] = mapper.ray(Vector2d(u - 0.5, v - 0.5));
+    for (int v = 0; v < rows; ++v) {
+        for (int u = 0; u < columns; ++u) {
+            rays[index_of(u, v, columns)] = mapper.ray(Vector2d(u - 0.5, v - 0.5));
+        }
+    }
     return rays;
 }
 
@@ -52,8 +58,7 @@ ScenePainter::ScenePainter(const World& world, const View& view)
 }
 
 const Vector2d& ScenePainter::corner(int u, int v) const {
-    return corners_[static_cast<std::size_t>(v) * static_cast<std::size_t>(width_ + 1) +
-                    static_cast<std::size_t>(u)];
+    return corners_[index_of(u, v, width_ + 1)];
 }
 
 Hit ScenePainter::hit_at(const std::vector<int>& tile, const Vector2d& level_ray) const {
@@ -77,17 +82,15 @@ void ScenePainter::paint_tile(int u0, int v0, int u1, int v1, std::vector<float>
     std::vector<Hit> hits;
     for (int v = v0; v <= v1; ++v)
         for (int u = u0; u <= u1; ++u) hits.push_back(hit_at(tile, corner(u, v)));
-    const auto at = [&](int u, int v) -> const Hit& {
-        return hits[static_cast<std::size_t>((v - v0) * columns + (u - u0))];
-    };
-    for (int v = v0; v < v1; ++v)
+    const auto at = [&](int u, int v) -> const Hit& { return hits[index_of(u - u0, v - v0, columns)]; };
+    for (int v = v0; v < v1; ++v) {
         for (int u = u0; u < u1; ++u) {
             const Hit& first = at(u, v);
             const bool uniform = same_surface(first, at(u + 1, v)) && same_surface(first, at(u, v + 1)) &&
                                  same_surface(first, at(u + 1, v + 1));
-            light[static_cast<std::size_t>(v) * static_cast<std::size_t>(width_) +
-                  static_cast<std::size_t>(u)] = static_cast<float>(pixel(tile, u, v, uniform));
+            light[index_of(u, v, width_)] = static_cast<float>(pixel(tile, u, v, uniform));
         }
+    }
 }
 
 double ScenePainter::pixel(const std::vector<int>& tile, int u, int v, bool uniform) const {
@@ -97,11 +100,12 @@ double ScenePainter::pixel(const std::vector<int>& tile, int u, int v, bool unif
         0.25 * (corner(u, v) + corner(u + 1, v) + corner(u, v + 1) + corner(u + 1, v + 1));
     const int n = uniform ? 1 : edge_rays;
     double sum = 0.0;
-    for (int j = 0; j < n; ++j)
+    for (int j = 0; j < n; ++j) {
         for (int i = 0; i < n; ++i) {
             const Vector2d ray = middle + ((i + 0.5) / n - 0.5) * right + ((j + 0.5) / n - 0.5) * down;
             sum += shade(hit_at(tile, ray), ray, right / n, down / n);
         }
+    }
     return sum / (n * n);
 }
 

@@ -49,11 +49,12 @@ void write_objects_csv(const Scene& scene, const std::filesystem::path& file) {
     std::string text =
         "type(0,\"box,1\",cylinder),cx,cy,z0,z1,half_x_or_radius,half_y,cos_yaw,sin_yaw,texture,shade,"
         "group\n";
-    for (const Primitive& p : scene.world.primitives)
+    for (const Primitive& p : scene.world.primitives) {
         text += line("%.5f,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f\n",
                      static_cast<double>(p.shape), p.centre_m.x(), p.centre_m.y(), p.z_low_m, p.z_high_m,
                      p.half_x_m, p.half_y_m, std::cos(p.yaw_rad), std::sin(p.yaw_rad),
                      static_cast<double>(p.texture.surface), p.texture.shade, static_cast<double>(p.object));
+    }
     write_text(text, file);
 }
 

@@ -11,9 +11,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int lattice_size = 256;
+constexpr std::size_t lattice_points = 256;
+constexpr int lattice_size = lattice_points;
 constexpr int lattice_mask = lattice_size - 1;
-using Lattice = std::array<float, lattice_size * lattice_size>;
+using Lattice = std::array<float, lattice_points * lattice_points>;
 
 /// Random values in -1..1 on an integer lattice that repeats every 256 points; every octave of every texture
 /// reads it with another scale, angle and offset.
@@ -119,11 +120,14 @@ TextureSampler::TextureSampler(const Texture& texture) : shade_(texture.shade), 
 void TextureSampler::add_octaves(double coarsest_m, double finest_m, double ratio, double amplitude,
                                  double growth) {
     Random random(seed_);
-    for (double spacing = coarsest_m; spacing >= finest_m; spacing *= ratio, amplitude *= growth) {
+    double spacing = coarsest_m;
+    while (spacing >= finest_m) {
         const double angle = random.uniform(0.0, 2.0 * M_PI);
         octaves_.push_back({std::cos(angle) / spacing, std::sin(angle) / spacing,
                             random.uniform(0.0, lattice_size), random.uniform(0.0, lattice_size), spacing,
                             1.0 / spacing, amplitude});
+        spacing *= ratio;
+        amplitude *= growth;
     }
 }
 
@@ -171,12 +175,13 @@ double TextureSampler::mean_noise(const Octave& o, const Footprint& f, const Tap
     const auto x_down = static_cast<float>(x_of(down));
     const auto y_down = static_cast<float>(y_of(down));
     float total = 0.0F;
-    for (int j = 0; j < taps.down; ++j)
+    for (int j = 0; j < taps.down; ++j) {
         for (int i = 0; i < taps.right; ++i) {
             const auto fi = static_cast<float>(i);
             const auto fj = static_cast<float>(j);
             total += noise(values, x0 + fi * x_right + fj * x_down, y0 + fi * y_right + fj * y_down);
         }
+    }
     return static_cast<double>(total) / (taps.right * taps.down);
 }
 

@@ -57,8 +57,7 @@ mrpt::obs::CObservationRobotPose ground_truth_of(const Scene& scene, int i) {
 
 /// Where the camera sits and looks: x to the right, y down, z ahead.
 CPose3D camera_pose(const CameraMount& m) {
-    const CPose3D aimed(m.forward_m, m.left_m, m.height_m, m.yaw_rad - M_PI / 2, 0.0,
-                        -M_PI / 2 - m.pitch_rad);
+    CPose3D aimed(m.forward_m, m.left_m, m.height_m, m.yaw_rad - M_PI / 2, 0.0, -M_PI / 2 - m.pitch_rad);
     if (m.roll_rad == 0.0) return aimed;
     return aimed + CPose3D(0.0, 0.0, 0.0, m.roll_rad, 0.0, 0.0);
 }
@@ -76,9 +75,10 @@ mrpt::img::TCamera camera_parameters(const CameraModel& camera) {
 
 mrpt::img::CImage to_mrpt(const GreyImage& image) {
     mrpt::img::CImage out(image.width_px, image.height_px, mrpt::img::CH_GRAY);
-    for (int v = 0; v < image.height_px; ++v)
+    for (int v = 0; v < image.height_px; ++v) {
         std::memcpy(out.ptrLine<std::uint8_t>(static_cast<unsigned>(v)), image.view().row(v),
                     static_cast<std::size_t>(image.width_px));
+    }
     return out;
 }
 

@@ -46,7 +46,7 @@ Agreement agreement(const World& world, const View& from, const View& to, double
     Agreement result;
     Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
     Vector2d b = Vector2d::Zero();
-    for (int v = 4; v < first.height_px - 4; v += 2)
+    for (int v = 4; v < first.height_px - 4; v += 2) {
         for (int u = 4; u < first.width_px - 4; u += 2) {
             const auto truth = exact_flow(world, from, to, Vector2d(u, v));
             if (!truth || truth->occluded || truth->sight.primitive != ground_primitive) continue;
@@ -60,6 +60,7 @@ Agreement agreement(const World& world, const View& from, const View& to, double
             result.rms_grey += difference * difference;
             ++result.points;
         }
+    }
     result.rms_grey = std::sqrt(result.rms_grey / std::max(1, result.points));
     result.offset_px = A.inverse() * b;
     return result;
@@ -119,13 +120,14 @@ TEST(Render, PixelIsTheMeanOfTheFinerPixelsItCovers) {
     const GreyImage coarse_image = render(scene.world, small_view());
     const GreyImage fine_image = render(scene.world, {fine, {}, 0.0});
     double square = 0.0;
-    for (int v = 0; v < 240; ++v)
+    for (int v = 0; v < 240; ++v) {
         for (int u = 0; u < 320; ++u) {
             double mean = 0.0;
             for (int j = 0; j < 4; ++j)
                 for (int i = 0; i < 4; ++i) mean += fine_image.at(4 * u + i, 4 * v + j) / 16.0;
             square += std::pow(mean - coarse_image.at(u, v), 2);
         }
+    }
     EXPECT_LT(std::sqrt(square / (320 * 240)), 3.0);
 }
 
@@ -185,13 +187,14 @@ TEST(Render, ObjectsCoverThePixelsThatTheTruthNames) {
     const int threshold = (pole_grey + image.at(300, 200)) / 2;
     const auto shows_pole = [&](double u, double v) { return look(world, view, {u, v})->primitive == 0; };
     int disagreeing = 0;
-    for (int v = 100; v < image.height_px; ++v)
+    for (int v = 100; v < image.height_px; ++v) {
         for (int u = 0; u < image.width_px; ++u) {
             const bool pole_here = shows_pole(u, v);
             const bool outline = shows_pole(u - 0.2, v) != pole_here || shows_pole(u + 0.2, v) != pole_here ||
                                  shows_pole(u, v - 0.2) != pole_here || shows_pole(u, v + 0.2) != pole_here;
             if (!outline && (image.at(u, v) < threshold) != pole_here) ++disagreeing;
         }
+    }
     EXPECT_EQ(disagreeing, 0);
 }
 

@@ -22,15 +22,17 @@ TEST(Scene, SameSeedGivesTheSameSceneAndAnotherSeedAnother) {
 
 TEST(Scene, NothingStandsNearerThanHalfAMetreToThePath) {
     for (const SceneKind kind :
-         {SceneKind::Straight, SceneKind::SCurve, SceneKind::Turns, SceneKind::Corridor})
+         {SceneKind::Straight, SceneKind::SCurve, SceneKind::Turns, SceneKind::Corridor}) {
         for (const std::uint64_t seed : {1U, 2U, 3U}) {
             const Scene scene = make_scene(kind, seed);
             double nearest_m = 1e9;
-            for (const Pose2& pose : scene.poses)
+            for (const Pose2& pose : scene.poses) {
                 for (const Primitive& p : scene.world.primitives)
                     nearest_m = std::min(nearest_m, distance_m(p, {pose.x_m, pose.y_m}));
+            }
             EXPECT_GE(nearest_m, 0.499) << to_string(kind) << " seed " << seed;
         }
+    }
 }
 
 TEST(Scene, HasManyObjectsAndWallsOnAllSides) {

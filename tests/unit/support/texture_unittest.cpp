@@ -17,9 +17,11 @@ struct Spread {
 std::vector<double> row_of(const Texture& texture, double width_m, double step_m, int n) {
     const TextureSampler sampler(texture);
     std::vector<double> greys;
-    for (int i = 0; i < n; ++i)
+    greys.reserve(static_cast<std::size_t>(n));
+    for (int i = 0; i < n; ++i) {
         greys.push_back(
             sampler.grey({{0.37 * i * step_m, 0.93 * i * step_m}, {width_m, 0.0}, {0.0, width_m}}));
+    }
     return greys;
 }
 
@@ -59,9 +61,10 @@ TEST(Texture, LongFootprintIsTheMeanOfItsPieces) {
     for (int i = 0; i < 50; ++i) {
         const Eigen::Vector2d at(0.13 * i, 0.07 * i);
         double pieces = 0.0;
-        for (int k = 0; k < 16; ++k)
+        for (int k = 0; k < 16; ++k) {
             pieces +=
                 sampler.grey({at + Eigen::Vector2d(0.0, 0.003 * (k - 7.5)), {0.004, 0.0}, {0.0, 0.003}}) / 16;
+        }
         worst = std::max(worst, std::abs(pieces - sampler.grey({at, {0.004, 0.0}, {0.0, 0.048}})));
     }
     EXPECT_LT(worst, 3.0);

@@ -48,8 +48,9 @@ TEST(WriteScene, RawlogHoldsOdometryTruthAndImageOfEveryMoment) {
     for (std::size_t i = 0; i < observations.size(); ++i) {
         const std::vector<std::string> labels = {"ODOMETRY", "GROUND_TRUTH", "CAMERA1"};
         EXPECT_EQ(observations[i]->sensorLabel, labels[i % 3]);
+        const std::size_t image = i / 3;
         EXPECT_NEAR(mrpt::Clock::toDouble(observations[i]->timestamp),
-                    1767225600.0 + 0.04 * static_cast<double>(i / 3), 1e-6);
+                    1767225600.0 + 0.04 * static_cast<double>(image), 1e-6);
     }
     const auto truth = std::dynamic_pointer_cast<mrpt::obs::CObservationRobotPose>(observations[10]);
     ASSERT_TRUE(truth);
@@ -98,10 +99,11 @@ TEST(WriteScene, OdometryIsTruthWithScaleAndSmallErrors) {
     const std::vector<Pose2> odometry = make_odometry(scene);
     ASSERT_EQ(odometry.size(), scene.poses.size());
     double ratio = 0.0;
-    for (std::size_t i = 1; i < odometry.size(); ++i)
+    for (std::size_t i = 1; i < odometry.size(); ++i) {
         ratio += exact_motion(odometry[i - 1], odometry[i]).forward_m /
                  exact_motion(scene.poses[i - 1], scene.poses[i]).forward_m /
                  static_cast<double>(odometry.size() - 1);
+    }
     EXPECT_NEAR(ratio, 1.006, 0.002);
 }
 
