@@ -18,6 +18,7 @@ FlowVector match_one(const ImageView& reference, const ImageView& newer, const E
         kernel.match(reference.row(corner_px.y()) + corner_px.x(), reference.stride_bytes,
                      newer.data + window.y() * newer.stride_bytes + window.x(), newer.stride_bytes, range);
     vector.flow_px = bias_px.cast<double>() + refined_offset_px(match, subpixel);
+    vector.sigma_px = sigma_px_of(match);
     vector.confidence = confidence_of(match);
     vector.valid = true;
     return vector;

@@ -48,7 +48,7 @@ MotionEstimate estimate_motion(const std::vector<MotionSample>& samples, const C
             m.forward_m = t.along_m * direction.x() + m.omega_rad * camera.mount.left_m;
             m.sigma_forward_m = t.sigma_m;
         }
-        estimate.noise_px = r.noise_px;
+        estimate.noise_factor = r.noise_factor;
     }
     return estimate;
 }

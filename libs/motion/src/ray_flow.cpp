@@ -8,7 +8,8 @@ RayFlow ray_flow(const FlowVector& vector, const RayMapper& reference, const Ray
                  Geometry geometry) {
     const Vector2d begin = reference.ray(vector.at_px);
     const Vector2d end = newer.ray(vector.at_px + vector.flow_px);
-    return {geometry == Geometry::MidPoint ? Vector2d((begin + end) / 2) : begin, end - begin};
+    return {geometry == Geometry::MidPoint ? Vector2d((begin + end) / 2) : begin, end - begin,
+            vector.sigma_px.cwiseProduct(one_pixel(reference.camera()))};
 }
 
 Vector2d camera_travel(const CameraMount& mount, double forward_m, double omega_rad) {

@@ -11,8 +11,8 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double horizon_margin = 0.06;  // a y + b below which (4) is too noisy to start from
-constexpr double noise_min_px = 0.03;    // no block matcher is better
-constexpr double noise_max_px = 0.7;     // and outliers must not make the scale look worse
+constexpr double noise_factor_min = 0.5;
+constexpr double noise_factor_max = 3.0;
 constexpr int biweight_steps = 4;
 constexpr double determinant_min = 1e-3;  // relative; below yaw and pitch cannot be told apart
 
@@ -35,14 +35,15 @@ void set_up(const std::vector<MotionSample>& samples, const CameraModel& camera,
     for (const MotionSample& s : samples) {
         const Vector2d e = plane.e(s.ray.at, direction);
         if (e.norm() < 1e-6) continue;
-        const double one_px = e.norm() * pixel_across(e, camera);
-        scratch.across.push_back({cross(e, plane.h(s.ray.at)) / one_px,
-                                  cross(e, PlaneGeometry::p(s.ray.at)) / one_px,
-                                  cross(e, s.ray.flow) / one_px, 1.0});
+        const double deviation = deviation_across(e, s.ray.sigma);
+        const double unit = e.norm() * deviation;
+        scratch.across.push_back({cross(e, plane.h(s.ray.at)) / unit,
+                                  cross(e, PlaneGeometry::p(s.ray.at)) / unit, cross(e, s.ray.flow) / unit,
+                                  1.0, deviation / deviation_across(e, one_pixel(camera))});
     }
 }
 
-double residual_px(const MotionScratch::Across& row, const Rotation& r) {
+double residual(const MotionScratch::Across& row, const Rotation& r) {
     return row.measured - row.turn * r.omega_rad - row.pitch * r.pitch_rad;
 }
 
@@ -60,18 +61,18 @@ void solve(const MotionScratch& scratch, MotionModel model, Rotation& r) {
     if (model == MotionModel::YawPitch && determinant > determinant_min * tt * pp) {
         r.omega_rad = (pp * tm - tp * pm) / determinant;
         r.pitch_rad = (tt * pm - tp * tm) / determinant;
-        r.sigma_omega_rad = r.noise_px * std::sqrt(pp / determinant);
+        r.sigma_omega_rad = r.noise_factor * std::sqrt(pp / determinant);
     } else if (tt > 0.0) {
         r.omega_rad = tm / tt;
         r.pitch_rad = 0.0;
-        r.sigma_omega_rad = r.noise_px / std::sqrt(tt);
+        r.sigma_omega_rad = r.noise_factor / std::sqrt(tt);
     }
 }
 
 }  // namespace
 
-double noise_of(std::vector<double>& residuals_px) {
-    return std::clamp(robust_deviation(residuals_px), noise_min_px, noise_max_px);
+double noise_factor_of(std::vector<double>& residuals) {
+    return std::clamp(robust_deviation(residuals), noise_factor_min, noise_factor_max);
 }
 
 double omega_of(const RayFlow& ray, const PlaneGeometry& plane, const Vector2d& travel) {
@@ -87,12 +88,13 @@ Rotation fit_rotation(const std::vector<MotionSample>& samples, const CameraMode
     set_up(samples, camera, direction, scratch);
     for (int step = 0; step < biweight_steps; ++step) {
         scratch.values.clear();
-        for (const auto& row : scratch.across) scratch.values.push_back(residual_px(row, r));
-        r.noise_px = noise_of(scratch.values);
-        for (auto& row : scratch.across) row.weight = biweight(residual_px(row, r) / r.noise_px);
+        for (const auto& row : scratch.across) scratch.values.push_back(residual(row, r));
+        r.noise_factor = noise_factor_of(scratch.values);
+        for (auto& row : scratch.across) row.weight = biweight(residual(row, r) / r.noise_factor);
         solve(scratch, params.model, r);
     }
-    for (const auto& row : scratch.across) r.inliers += std::abs(residual_px(row, r)) < params.lambda_px;
+    for (const auto& row : scratch.across)
+        r.inliers += std::abs(residual(row, r)) * row.deviation_px < params.lambda_px;
     return r;
 }
 

@@ -9,9 +9,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double near_share = 0.5;       // of a y + b at the lower border: the near floor
-constexpr int window_support_min = 6;    // vectors of the ground window
-constexpr int floor_support_min = 12;    // vectors anywhere on the floor, when the window has too few
+constexpr double near_share = 0.5;     // of a y + b at the lower border: the near floor
+constexpr int window_support_min = 6;  // vectors of the ground window
+constexpr int floor_support_min = 12;  // vectors anywhere on the floor, when the window has too few
 constexpr int biweight_steps = 2;
 
 /// a y + b from which on the floor is near.
@@ -31,11 +31,12 @@ void floor_travels(const std::vector<MotionSample>& samples, bool window_only, c
         // Eq. (9)
         const Vector2d d =
             s.ray.flow - r.omega_rad * plane.h(s.ray.at) - r.pitch_rad * PlaneGeometry::p(s.ray.at);
-        if (std::abs(cross(e, d)) > lambda_px * e.norm() * pixel_across(e, camera)) continue;
+        if (std::abs(cross(e, d)) > lambda_px * e.norm() * deviation_across(e, one_pixel(camera))) continue;
         // Eq. (10)
         const double travel_over_depth = e.dot(d) / e.squaredNorm();
         const double ground = plane.ground_inverse_depth(s.ray.at);
-        scratch.along.push_back({travel_over_depth / ground, pixel_along(e, camera) / (e.norm() * ground)});
+        scratch.along.push_back(
+            {travel_over_depth / ground, deviation_along(e, s.ray.sigma) / (e.norm() * ground)});
     }
 }
 
@@ -49,11 +50,11 @@ Travel robust_mean(MotionScratch& scratch) {
         scratch.values.clear();
         for (const auto& row : scratch.along)
             scratch.values.push_back((row.travel_m - t.along_m) / row.sigma_m);
-        const double noise_px = noise_of(scratch.values);
+        const double noise_factor = noise_factor_of(scratch.values);
         double sum = 0.0, weights = 0.0;
         t.support = 0;
         for (const auto& row : scratch.along) {
-            const double robust = biweight((row.travel_m - t.along_m) / (row.sigma_m * noise_px));
+            const double robust = biweight((row.travel_m - t.along_m) / (row.sigma_m * noise_factor));
             const double weight = robust / (row.sigma_m * row.sigma_m);
             sum += weight * row.travel_m;
             weights += weight;
@@ -61,7 +62,7 @@ Travel robust_mean(MotionScratch& scratch) {
         }
         if (weights <= 0.0) return {};
         t.along_m = sum / weights;
-        t.sigma_m = noise_px / std::sqrt(weights);
+        t.sigma_m = noise_factor / std::sqrt(weights);
     }
     return t;
 }

@@ -11,10 +11,11 @@ using Eigen::Vector2d;
 /// an obstacle at 4/5 of the depth of the ground would then exceed tau.
 constexpr double ground_evidence_tau = 4.0;
 constexpr double depth_tolerance = 0.25;
+constexpr double significance = 3.0;  // deviations by which an obstacle must stand out
 
 }  // namespace
 
-Judgement judge(const RayFlow& ray, const CameraModel& camera, const EgoMotion& motion, double noise_px,
+Judgement judge(const RayFlow& ray, const CameraModel& camera, const EgoMotion& motion, double noise_factor,
                 const ObstacleParams& params) {
     const PlaneGeometry plane(camera.mount);
     const Vector2d travel(motion.forward_m - motion.omega_rad * camera.mount.left_m,
@@ -27,19 +28,21 @@ Judgement judge(const RayFlow& ray, const CameraModel& camera, const EgoMotion& 
     // Eq. (9)
     const Vector2d d =
         ray.flow - motion.omega_rad * plane.h(ray.at) - motion.pitch_rad * PlaneGeometry::p(ray.at);
-    const double one_px = pixel_along(e, camera);
+    const double one_px = deviation_along(e, one_pixel(camera));
     // Eq. (10), with the travel inside e
     j.inverse_depth = e.dot(d) / (length * length);
-    j.sigma = noise_px * one_px / length;
+    const double deviation = noise_factor * deviation_along(e, ray.sigma);
+    j.sigma = deviation / length;
     // Eq. (13)
     const double ground = plane.ground_inverse_depth(ray.at);
     j.excess_px = (j.inverse_depth - ground) * length / one_px;
-    // A speed that is not known well could explain this much of the excess.
+    // What the vector's own error and a speed that is not known well could explain of the excess.
     const double ground_px = ground * length / one_px;
     const double travel_error = motion.sigma_forward_m / std::max(travel.norm(), 1e-9);
-    const double tau_px = params.tau_px + 2.0 * travel_error * ground_px;
+    const double tau_px =
+        std::max(params.tau_px, significance * deviation / one_px) + 2.0 * travel_error * ground_px;
     // Eq. (11)
-    const double across_px = std::abs(cross(e, d)) / (length * pixel_across(e, camera));
+    const double across_px = std::abs(cross(e, d)) / (length * deviation_across(e, one_pixel(camera)));
     if (across_px >= params.lambda_px || e.dot(d) <= 0.0) {
         j.fate = BlockFate::Eliminated;
     } else if (j.excess_px > tau_px) {

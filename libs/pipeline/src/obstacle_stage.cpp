@@ -32,7 +32,7 @@ void judge_blocks(State::Impl& s) {
         s.judgements[i].fate = block.fate;
         if (block.image_of_cycle == 0) continue;
         const ImageOfCycle& image = s.cycle[block.image_of_cycle - 1];
-        s.judgements[i] = judge(block.ray, camera, image.motion, image.noise_px, s.params.obstacles);
+        s.judgements[i] = judge(block.ray, camera, image.motion, image.noise_factor, s.params.obstacles);
     }
     confirm_by_neighbours(s.judgements, s.layout.neighbours, s.params.obstacles);
     for (std::size_t i = 0; i < s.layout.size(); ++i) {

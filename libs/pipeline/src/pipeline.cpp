@@ -123,7 +123,7 @@ void accept_motion(Impl& s, const MotionPrediction& prediction, double since_las
     }
     out.counts.inliers = measured.inliers;
     out.counts.ground_window = measured.ground_window;
-    s.cycle.push_back({out.motion, s.measured.estimate.noise_px});
+    s.cycle.push_back({out.motion, s.measured.estimate.noise_factor});
 }
 
 /// Rates and odometry from the motion since the reference.

@@ -11,7 +11,7 @@ namespace flownav::pipeline {
 /// Motion from the reference to one image of the cycle.
 struct ImageOfCycle {
     EgoMotion motion;
-    double noise_px = 0.0;
+    double noise_factor = 1.0;
 };
 
 /// Rates that predict the next motion.

@@ -8,14 +8,16 @@ namespace flownav {
 struct FlowVector {
     Eigen::Vector2d at_px = Eigen::Vector2d::Zero();    ///< centre in the reference field, (u, v)
     Eigen::Vector2d flow_px = Eigen::Vector2d::Zero();  ///< from the reference to the newer field
+    Eigen::Vector2d sigma_px{0.3, 0.3};                 ///< standard deviation of flow_px in u and v
     double confidence = 0.0;                            ///< 0 (worthless) .. 1 (unambiguous)
     bool valid = false;                                 ///< false: nothing could be measured here
 };
 
 /// The same vector on the level camera's normalised plane, ready for equations (3) to (13).
 struct RayFlow {
-    Eigen::Vector2d at = Eigen::Vector2d::Zero();    ///< (x, y) where e, h and Z are evaluated
-    Eigen::Vector2d flow = Eigen::Vector2d::Zero();  ///< (dx, dy)
+    Eigen::Vector2d at = Eigen::Vector2d::Zero();     ///< (x, y) where e, h and Z are evaluated
+    Eigen::Vector2d flow = Eigen::Vector2d::Zero();   ///< (dx, dy)
+    Eigen::Vector2d sigma = Eigen::Vector2d::Zero();  ///< standard deviation of dx and dy
 };
 
 /// What became of a block in this field, in the order of the decisions.

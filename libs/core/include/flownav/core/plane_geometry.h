@@ -47,15 +47,20 @@ struct PlaneGeometry {
     static Eigen::Vector2d p(const Eigen::Vector2d& at) { return {at.x() * at.y(), at.y() * at.y() + 1.0}; }
 };
 
-/// Standard deviation, on the normalised plane and along the unit vector of `direction`, of a position known
-/// to one pixel in u and v.
-inline double pixel_along(const Eigen::Vector2d& direction, const CameraModel& camera) {
-    return std::hypot(direction.x() / camera.fx_px, direction.y() / camera.fy_px) / direction.norm();
+/// Standard deviation of a vector along `direction` when its components x and y have the deviations `sigma`.
+inline double deviation_along(const Eigen::Vector2d& direction, const Eigen::Vector2d& sigma) {
+    return std::hypot(direction.x() * sigma.x(), direction.y() * sigma.y()) / direction.norm();
 }
 
 /// The same across `direction`.
-inline double pixel_across(const Eigen::Vector2d& direction, const CameraModel& camera) {
-    return std::hypot(direction.y() / camera.fx_px, direction.x() / camera.fy_px) / direction.norm();
+inline double deviation_across(const Eigen::Vector2d& direction, const Eigen::Vector2d& sigma) {
+    return std::hypot(direction.y() * sigma.x(), direction.x() * sigma.y()) / direction.norm();
+}
+
+/// One pixel on the normalised plane, in x and y: with deviation_along() and deviation_across() the measure
+/// in which tau and lambda are meant.
+inline Eigen::Vector2d one_pixel(const CameraModel& camera) {
+    return {1.0 / camera.fx_px, 1.0 / camera.fy_px};
 }
 
 /// The part of the image where the ground right before the robot is expected to be free, so that its flow

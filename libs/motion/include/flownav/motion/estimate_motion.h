@@ -14,11 +14,13 @@ struct MotionSample {
 
 /// Working memory of estimate_motion(), kept between calls so that nothing is allocated.
 struct MotionScratch {
-    /// One equation across e: turn * omega + pitch * pitch rate = measured, all in pixels.
+    /// One equation across e: turn * omega + pitch * pitch rate = measured, in units of the vector's
+    /// deviation.
     struct Across {
         double turn, pitch, measured, weight;
+        double deviation_px;
     };
-    /// The travel that one vector of the floor stands for, with its deviation for a vector error of 1 px.
+    /// The travel that one vector of the floor stands for, with its deviation.
     struct Along {
         double travel_m, sigma_m;
     };
@@ -29,7 +31,7 @@ struct MotionScratch {
 
 struct MotionEstimate {
     EgoMotion motion;
-    double noise_px = 0.0;  ///< robust deviation of the vectors across e
+    double noise_factor = 1.0;  ///< how much larger the errors are than the vectors' own deviations say
 };
 
 /// Rotation and forward travel of the robot between the reference and the newer field, from vectors anywhere

@@ -18,9 +18,10 @@ struct Judgement {
     double excess_px = 0.0;      ///< Eq. (13): longer than on the ground by so many pixels
 };
 
-/// Eliminates by (11) and decides by (13). `noise_px` is the deviation of a vector's components.
-/// A candidate obstacle comes back as BlockFate::Unsupported until its neighbours have been asked.
-Judgement judge(const RayFlow& ray, const CameraModel& camera, const EgoMotion& motion, double noise_px,
+/// Eliminates by (11) and decides by (13). `noise_factor`: errors of this image over what the deviations of
+/// its vectors say. A candidate obstacle comes back as BlockFate::Unsupported until its neighbours have been
+/// asked.
+Judgement judge(const RayFlow& ray, const CameraModel& camera, const EgoMotion& motion, double noise_factor,
                 const ObstacleParams& params);
 
 /// The neighbourhood filter: candidates with at least params.neighbours neighbours of about the same depth
