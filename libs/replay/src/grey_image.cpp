@@ -4,6 +4,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "picture_file.h"
+
 namespace flownav {
 namespace {
 
@@ -31,12 +33,8 @@ GreyImage converted(const cv::Mat& pixels) {
 GreyImage load(const std::filesystem::path& file) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) return reject("image_missing");
-    try {
-        const cv::Mat pixels = cv::imread(file.string(), cv::IMREAD_UNCHANGED);
-        return pixels.empty() ? reject("image_unreadable") : converted(pixels);
-    } catch (const cv::Exception&) {
-        return reject("image_unreadable");
-    }
+    const cv::Mat pixels = read_picture(file, cv::IMREAD_UNCHANGED);
+    return pixels.empty() ? reject("image_unreadable") : converted(pixels);
 }
 
 }  // namespace

@@ -4,11 +4,11 @@
 #include <cctype>
 #include <cmath>
 #include <fstream>
-#include <opencv2/core/mat.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
 #include "flownav/replay/rawlog_reader.h"
+#include "picture_file.h"
 
 namespace flownav {
 namespace {
@@ -75,16 +75,12 @@ std::vector<fs::path> list_images(const fs::path& directory) {
 }
 
 std::optional<Field> load_grey(const fs::path& file) {
-    try {
-        const auto pixels = std::make_shared<cv::Mat>(cv::imread(file.string(), cv::IMREAD_GRAYSCALE));
-        if (pixels->empty()) return std::nullopt;
-        Field field;
-        field.image = {pixels->data, pixels->cols, pixels->rows, static_cast<std::ptrdiff_t>(pixels->step)};
-        field.owner = pixels;
-        return field;
-    } catch (const cv::Exception&) {
-        return std::nullopt;
-    }
+    const auto pixels = std::make_shared<cv::Mat>(read_picture(file, cv::IMREAD_GRAYSCALE));
+    if (pixels->empty()) return std::nullopt;
+    Field field;
+    field.image = {pixels->data, pixels->cols, pixels->rows, static_cast<std::ptrdiff_t>(pixels->step)};
+    field.owner = pixels;
+    return field;
 }
 
 std::vector<std::string> read_lines(const fs::path& file) {
