@@ -85,7 +85,7 @@ void tint_blocks(cv::Mat& picture, const pipeline::Step& step, const Scale& scal
             cv::Rect(at(scale, now - half), at(scale, now + half)) & cv::Rect({0, 0}, picture.size());
         if (area.empty()) continue;
         cv::Mat patch = picture(area);
-        const double share = strong ? 0.45 : 0.2;
+        const double share = (strong ? 0.45 : 0.2) * (scale.x > 2 ? 0.5 : 1.0);  // enlarged blocks overlap
         cv::addWeighted(patch, 1 - share, cv::Mat(patch.size(), patch.type(), style.colour), share, 0, patch);
         if (strong) cv::rectangle(picture, area, style.colour, 1);
     }

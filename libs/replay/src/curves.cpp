@@ -24,11 +24,13 @@ double start_of(const Drive& drive) {
     return drive.rows.empty() ? 0.0 : drive.rows.front().timestamp_s;
 }
 
-Chart time_chart(const Drive& drive, const std::string& title, const std::string& y_label) {
+Chart time_chart(const Drive& drive, const std::string& title, const std::string& y_label,
+                 double least_y_span) {
     Chart chart;
     chart.title = title;
     chart.x_label = "time since the first field (s)";
     chart.y_label = y_label;
+    chart.least_y_span = least_y_span;
     if (!drive.rows.empty()) chart.x_span = {0.0, drive.rows.back().timestamp_s - start_of(drive)};
     return chart;
 }
@@ -55,7 +57,7 @@ Chart trajectory_chart(const Drive& drive) {
 }
 
 Chart heading_chart(const Drive& drive) {
-    Chart chart = time_chart(drive, "Heading, > 0: turned left", "heading (deg)");
+    Chart chart = time_chart(drive, "Heading, > 0: turned left", "heading (deg)", 2.0);
     const auto other = [&](const ChartSeries& look, const PoseTrack& track) {
         return heading(look, ground_track(drive, track), start_of(drive));
     };
@@ -64,7 +66,7 @@ Chart heading_chart(const Drive& drive) {
 }
 
 Chart omega_chart(const Drive& drive) {
-    Chart chart = time_chart(drive, "Turn rate, > 0: to the left", "turn rate (deg/s)");
+    Chart chart = time_chart(drive, "Turn rate, > 0: to the left", "turn rate (deg/s)", 2.0);
     const auto turn = [](const Pose2& motion) { return to_deg(wrap_angle(motion.yaw_rad)); };
     const auto other = [&](const ChartSeries& look, const PoseTrack& track) {
         return rate(look, drive, track, turn);
@@ -78,7 +80,8 @@ Chart omega_chart(const Drive& drive) {
 }
 
 Chart speed_chart(const Drive& drive) {
-    Chart chart = time_chart(drive, "Forward speed, as measured at the end of each cycle", "speed (m/s)");
+    Chart chart =
+        time_chart(drive, "Forward speed, as measured at the end of each cycle", "speed (m/s)", 0.1);
     chart.y_from_zero = true;
     const auto forward = [](const Pose2& motion) {
         return std::copysign(std::hypot(motion.x_m, motion.y_m), motion.x_m);
@@ -114,7 +117,7 @@ ChartSeries distance(const ChartSeries& look, const Drive& drive,
 }
 
 Chart distance_chart(const Drive& drive) {
-    Chart chart = time_chart(drive, "Distance from the ground truth", "distance (m)");
+    Chart chart = time_chart(drive, "Distance from the ground truth", "distance (m)", 0.002);
     chart.y_from_zero = true;
     if (!drive.odometry.empty()) {
         const auto at = [&](const FieldRow& row) { return drive.odometry.ground_at(row.timestamp_s); };
@@ -126,7 +129,7 @@ Chart distance_chart(const Drive& drive) {
 }
 
 Chart counts_chart(const Drive& drive) {
-    Chart chart = time_chart(drive, "Blocks per field, and obstacle points per cycle", "count");
+    Chart chart = time_chart(drive, "Blocks per field, and obstacle points per cycle", "count", 10.0);
     chart.y_from_zero = true;
     const auto count = [&](const char* name, const char* colour, int FieldRow::*member) {
         const auto value = [member](const FieldRow& row) { return std::optional<double>(row.*member); };

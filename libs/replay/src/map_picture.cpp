@@ -72,6 +72,7 @@ struct Projection {
 void draw_path(cv::Mat& picture, const Projection& projection, const std::vector<FieldRow>& rows) {
     if (rows.empty()) return;
     std::vector<cv::Point> path;
+    path.reserve(rows.size());
     for (const FieldRow& row : rows) path.push_back(projection.at(row.T_start_robot));
     cv::polylines(picture, path, false, path_colour, 2, cv::LINE_AA);
     cv::circle(picture, path.front(), 6, start_colour, cv::FILLED, cv::LINE_AA);

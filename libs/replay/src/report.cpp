@@ -37,15 +37,15 @@ struct Cell {
 std::string row(const std::vector<Cell>& cells, const std::string& element = "td") {
     std::string html = "<tr>";
     for (const Cell& cell : cells) {
-        html += "<" + element + (cell.number ? " class=\"number\">" : ">");
-        if (cell.mark != nullptr) html += std::string("<i style=\"background:") + cell.mark + "\"></i>";
+        html += "<" + element + (cell.number ? " class='number'>" : ">");
+        if (cell.mark != nullptr) html += std::string("<i style='background:") + cell.mark + "'></i>";
         html += html_text(cell.text) + "</" + element + ">";
     }
     return html + "</tr>\n";
 }
 
 std::string table(const std::vector<Cell>& head, const std::string& rows) {
-    return "<div class=\"wide\"><table>\n<thead>" + row(head, "th") + "</thead>\n<tbody>\n" + rows +
+    return "<div class='wide'><table>\n<thead>" + row(head, "th") + "</thead>\n<tbody>\n" + rows +
            "</tbody></table></div>\n";
 }
 
@@ -59,15 +59,15 @@ std::string image(const cv::Mat& picture, const char* format, const std::vector<
     cv::imencode(std::string(".") + format, picture, bytes, options);
     std::string text;
     mrpt::system::encodeBase64(bytes, text);
-    return "<img alt=\"" + html_text(description) + "\" src=\"data:image/" +
-           (std::string(format) == "jpg" ? "jpeg" : format) + ";base64," + text + "\">\n";
+    return "<img alt='" + html_text(description) + "' src='data:image/" +
+           (std::string(format) == "jpg" ? "jpeg" : format) + ";base64," + text + "'>\n";
 }
 
 // ---- what was read, and how it ended
 
 std::string ending(const Drive& drive) {
     const bool clean = std::string(end_word(drive)) == "clean";
-    return std::string("<p class=\"") + (clean ? "good" : "bad") + "\">" + html_text(end_sentence(drive)) +
+    return std::string("<p class='") + (clean ? "good" : "bad") + "'>" + html_text(end_sentence(drive)) +
            "</p>\n";
 }
 
@@ -162,7 +162,7 @@ std::string annotated(const Drive& drive) {
                            "Arrows are the measured vectors of the cycle, from the reference field to this "
                            "one, ending where "
                            "the block is now. Fields with half the lines are shown at their true height.") +
-                       "<div class=\"pictures\">\n";
+                       "<div class='pictures'>\n";
     for (const auto* picture : chosen) {
         const std::string caption = picture_caption(drive, picture->step);
         html += "<figure>" +
@@ -194,8 +194,8 @@ std::string curves(const Drive& drive) {
 std::string report_html(const Drive& drive, const mrpt::maps::COccupancyGridMap2D& map) {
     const std::string title = "Replay of " + drive.input_name;
     std::string html =
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+        "<!DOCTYPE html>\n<html lang='en'>\n<head>\n<meta charset='utf-8'>\n"
+        "<meta name='viewport' content='width=device-width, initial-scale=1'>\n<title>" +
         html_text(title) + "</title>\n<style>\n" + report_style + "</style>\n</head>\n<body>\n";
     html += "<h1>" + html_text(title) + "</h1>\n" + ending(drive) + short_facts(drive);
     html += section("Flow odometry compared", figures(drive));

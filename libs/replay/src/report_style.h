@@ -16,6 +16,7 @@ table { border-collapse: collapse; font-size: .92rem; margin: .6rem 0; }
 th, td { text-align: left; vertical-align: top; padding: .3rem .9rem .3rem 0; border-bottom: 1px solid #e3e3e3; }
 th { font-weight: 600; }
 .number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+td:first-child { white-space: nowrap; }
 td i { display: inline-block; width: .8em; height: .8em; margin-right: .45em; }
 figure { margin: 1rem 0; }
 figcaption { font-size: .9rem; color: #444; }

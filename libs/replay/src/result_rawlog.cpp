@@ -38,7 +38,7 @@ mrpt::img::CImage pixels(const ImageView& view) {
     // OpenCV has no view of constant pixels; the copy below only reads.
     const cv::Mat source(view.height_px, view.width_px, CV_8UC1, const_cast<std::uint8_t*>(view.data),
                          static_cast<std::size_t>(view.stride_bytes));
-    return mrpt::img::CImage(source.clone(), mrpt::img::SHALLOW_COPY);
+    return {source.clone(), mrpt::img::SHALLOW_COPY};
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace flownav {
 
 namespace {
 
-constexpr double left_px = 70;  ///< as in the charts, so that times stand below each other
-constexpr int columns = 674;
+constexpr double left_px = 84;  ///< as in the charts, so that times stand below each other
+constexpr int columns = 660;
 
 /// Of the fields that share a column of pixels the worst is shown, lest a single bad one be lost.
 int severity(FieldStatus status) {
@@ -52,8 +52,8 @@ Band band_of(const std::vector<FieldRow>& rows) {
 }
 
 std::string stripe(std::size_t from, std::size_t to, FieldStatus status) {
-    return "<rect x=\"" + fixed_text(left_px + static_cast<double>(from), 0) + "\" y=\"28\" width=\"" +
-           std::to_string(to - from) + "\" height=\"22\" fill=\"" + colour_of(status) + "\"><title>" +
+    return "<rect x='" + fixed_text(left_px + static_cast<double>(from), 0) + "' y='28' width='" +
+           std::to_string(to - from) + "' height='22' fill='" + colour_of(status) + "'><title>" +
            to_string(status) + "</title></rect>\n";
 }
 
@@ -77,8 +77,8 @@ const char* colour_of(FieldStatus status) {
 
 std::string status_band(const std::vector<FieldRow>& rows) {
     std::string svg =
-        "<svg viewBox=\"0 0 760 56\" role=\"img\" aria-label=\"Status over time\">\n<text class=\"title\" "
-        "x=\"70\" y=\"17\">Status over time</text>\n";
+        "<svg viewBox='0 0 760 56' role='img' aria-label='Status over time'>\n<text class='title' "
+        "x='84' y='17'>Status over time</text>\n";
     if (rows.empty()) return svg + "</svg>\n";
     const Band band = band_of(rows);
     for (std::size_t from = 0; from < band.size();) {

@@ -42,7 +42,7 @@ ChartSeries over_time(ChartSeries look, const Drive& drive, const FieldValue& va
     if (drive.rows.empty()) return look;
     const double start_s = drive.rows.front().timestamp_s;
     const double duration_s = drive.rows.back().timestamp_s - start_s;
-    const double fields = static_cast<double>(drive.rows.size());
+    const auto fields = static_cast<double>(drive.rows.size());
     const double gap_s = std::max(drawn_through * duration_s / fields, duration_s / visible_gaps);
     double last_s = -HUGE_VAL;
     for (const FieldRow& row : drive.rows) {

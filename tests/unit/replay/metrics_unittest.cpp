@@ -25,6 +25,7 @@ PoseTrack track_of(double omega_radps, double v_mps, int samples = fields) {
 
 std::vector<FieldRow> rows_of(double omega_radps, double v_mps) {
     std::vector<FieldRow> rows;
+    rows.reserve(fields);
     for (int i = 0; i < fields; ++i) rows.push_back(row_of(testing::step_at(i, omega_radps, v_mps)));
     return rows;
 }

@@ -106,6 +106,7 @@ TEST(Report, StaysSmallOverLongDrives) {
 
 TEST(SvgChart, ThinningKeepsTheEndsAndEverySpike) {
     std::vector<Eigen::Vector2d> piece;
+    piece.reserve(10000);
     for (int i = 0; i < 10000; ++i) piece.emplace_back(i, i == 4321 ? 100.0 : 0.0);
     const auto few = thinned(piece, 200);
     EXPECT_LE(few.size(), 200U);
@@ -123,6 +124,10 @@ TEST(SvgChart, ConstantAndSingleValuesAreDrawn) {
     EXPECT_FALSE(has(svg_chart(chart), "nan"));
     chart.series.front().pieces.clear();
     EXPECT_TRUE(has(svg_chart(chart), "no data"));
+}
+
+TEST(SvgChart, TextsCannotBecomeMarkup) {
+    EXPECT_EQ(html_text("<a href='x'>\"&"), "&lt;a href=&#39;x&#39;&gt;&quot;&amp;");
 }
 
 TEST(MapPicture, ShowsTheKnownPartWithYUp) {

@@ -17,7 +17,10 @@ Pose2 pose_at(int i, double omega_radps, double v_mps) {
 
 pipeline::BlockRecord block(double u, double v, BlockFate fate) {
     pipeline::BlockRecord record;
-    record.vector = {{u, v}, {4.0, 12.0}, 0.5, fate != BlockFate::Sifted};
+    record.vector.at_px = {u, v};
+    record.vector.flow_px = {4.0, 12.0};
+    record.vector.confidence = 0.5;
+    record.vector.valid = fate != BlockFate::Sifted;
     record.fate = fate;
     return record;
 }

@@ -24,6 +24,7 @@ struct Chart {
     bool equal_scales = false;              ///< one unit is as long in x as in y, as in a plan
     std::optional<Eigen::Vector2d> x_span;  ///< from, to; without it as far as the data go
     bool y_from_zero = false;
+    double least_y_span = 1e-3;  ///< so that noise about a constant does not fill the chart
 };
 
 /// The chart as an <svg> element for a web page; labels and legend included. Says so when there are no data.
