@@ -46,7 +46,6 @@ void publish_obstacles(State::Impl& s) {
     const Pose2 T_end_reference = inverse(part_of(s.cycle.back().motion, 1.0));
     const CameraMount& mount = s.reference.field.camera.mount;
     Step& out = s.step;
-    out.end_of_cycle = true;
     for (std::size_t i = 0; i < s.layout.size(); ++i) {
         const BlockRecord& block = out.blocks[i];
         if (block.image_of_cycle == 0) continue;

@@ -133,7 +133,9 @@ void publish_motion(Impl& s, double since_last_s) {
     out.omega_radps = (out.motion.omega_rad - before.omega_rad) / since_last_s;
     out.pitch_rate_radps = (out.motion.pitch_rad - before.pitch_rad) / since_last_s;
     out.v_mps = out.motion.forward_m / seconds_since_reference(s);
-    out.v_measured = out.motion.forward_measured && out.image_of_cycle >= out.cycle_images;
+    out.cycle_images = plan_cycle(s.params.rate, out.v_mps * since_last_s);
+    out.end_of_cycle = out.image_of_cycle >= out.cycle_images;
+    out.v_measured = out.motion.forward_measured && out.end_of_cycle;
     out.T_start_robot = compose(s.T_start_reference, along_arc(out.motion.omega_rad, out.motion.forward_m));
     s.rates.omega_radps = out.omega_radps;
     s.rates.v_mps = out.v_mps;
@@ -186,7 +188,6 @@ const Step& step(State& state, const Field& field) {
         return s.step;
     }
     s.step.image_of_cycle = static_cast<int>(s.cycle.size()) + 1;
-    s.step.cycle_images = plan_cycle(s.params.rate, s.rates.v_mps * since_last_s);
 
     const MotionPrediction prediction = predict(s, since_last_s);
     measure_newest(s, prediction);
@@ -194,7 +195,7 @@ const Step& step(State& state, const Field& field) {
     accept_motion(s, prediction, since_last_s);
     publish_motion(s, since_last_s);
     judge_blocks(s);
-    if (s.step.image_of_cycle >= s.step.cycle_images) {
+    if (s.step.end_of_cycle) {
         publish_obstacles(s);
         begin_cycle(s);
     }
