@@ -1,0 +1,31 @@
+#include "sample.h"
+
+#include <cstdlib>
+
+#include "flownav/replay/field_source.h"
+
+namespace flownav::bench {
+
+std::filesystem::path sample_rawlog() {
+    const char* data = std::getenv("FLOWNAV_DATA");
+    const auto field = std::filesystem::path(data ? data : FLOWNAV_DATA) / "scenes" / "field.rawlog";
+    if (std::filesystem::exists(field)) return field;
+    return std::filesystem::path(FLOWNAV_SHARE) / "datasets" / "corridor.rawlog";
+}
+
+std::vector<Field> read_fields(const std::filesystem::path& rawlog) {
+    RawlogReader reader(rawlog);
+    FieldSource source(reader, {});
+    std::vector<Field> fields;
+    while (const auto event = source.next()) {
+        if (const auto* field = std::get_if<Field>(&*event)) fields.push_back(*field);
+    }
+    return fields;
+}
+
+const std::vector<Field>& sample_fields() {
+    static const std::vector<Field> fields = read_fields(sample_rawlog());
+    return fields;
+}
+
+}  // namespace flownav::bench
