@@ -12,6 +12,7 @@ OF_PACKAGE = {
     "benchmark": {"libbenchmark-dev"},
     "Eigen3": {"libeigen3-dev"},
     "GTest": {"libgtest-dev"},
+    "benchmark": {"libbenchmark-dev"},
     "mrpt-hwdrivers": {"libmrpt-hwdrivers-dev"},
     "mrpt-maps": {"libmrpt-maps-dev"},
     "mrpt-obs": {"libmrpt-obs-dev"},
