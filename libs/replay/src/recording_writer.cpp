@@ -114,6 +114,7 @@ RecordingCounts write_recording(ImageSequence& sequence, const RecordingOptions&
     }
     write_fields(splitter.finish());
     recording.close();
+    if (options.progress) options.progress(1.0, counts.fields);
     pending.complete();
     return counts;
 }
