@@ -38,6 +38,8 @@ OF_PROGRAM = {
 } | {name: set() for name in "apt-get cat dirname dpkg-query env id mkdir nproc sed".split()}
 # Modules imported by the scripts in Python, beside Python's own.
 OF_MODULE = {"numpy": {"python3-numpy"}, "cv2": {"python3-opencv"}}
+# Folders of the system that the tests read.
+OF_FOLDER = {"/usr/share/mrpt": {"mrpt-common"}}
 
 SHELL_WORDS = set(
     "[ [[ ] ]] { } ! if then elif else fi for in do done while until case esac function select time "
@@ -86,6 +88,10 @@ def modules_imported(text):
     return set(names) - set(sys.stdlib_module_names)
 
 
+def folders_read(text):
+    return set(re.findall(r'"(/usr/share/[\w-]+)', text))
+
+
 def unknown_and_needed(names, table):
     unknown = sorted(names - set(table))
     needed = set().union(*(table[name] for name in names if name in table))
@@ -106,8 +112,8 @@ class Packages(unittest.TestCase):
         return [file.read_text() for file in self.files(*patterns)]
 
     def needs(self):
-        """Everything looked for, called or imported in the tree: three sets of names."""
-        packages, programs, modules = set(), {"cmake", "ctest", "g++", "python3"}, set()
+        """Everything looked for, called, imported or read in the tree: four sets of names."""
+        packages, programs, modules, folders = set(), {"cmake", "ctest", "g++", "python3"}, set(), set()
         for text in self.texts("CMakeLists.txt", "*.cmake", "*.cmake.in"):
             more_packages, more_programs = cmake_needs(text)
             packages |= more_packages
@@ -117,13 +123,15 @@ class Packages(unittest.TestCase):
         own = {file.stem for file in self.files("*.py")}
         for text in self.texts("*.py"):
             modules |= modules_imported(text) - own
-        return packages, programs, modules
+        for text in self.texts("*.cpp", "*.h"):
+            folders |= folders_read(text)
+        return packages, programs, modules, folders
 
     def test_the_list_is_what_the_tree_needs(self):
         listed = packages_listed((self.ROOT / "share/apt-packages.txt").read_text())
         self.assertEqual(len(listed), len(set(listed)), "a package is listed twice")
         needed = set()
-        for names, table in zip(self.needs(), (OF_PACKAGE, OF_PROGRAM, OF_MODULE)):
+        for names, table in zip(self.needs(), (OF_PACKAGE, OF_PROGRAM, OF_MODULE, OF_FOLDER)):
             unknown, more = unknown_and_needed(names, table)
             self.assertEqual(unknown, [], "unknown to this test: map it to its Debian package")
             needed |= more
@@ -131,7 +139,7 @@ class Packages(unittest.TestCase):
         self.assertEqual(sorted(set(listed) - needed), [], "listed in share/apt-packages.txt, but not needed")
 
     def test_the_scripts_are_looked_into(self):
-        _, programs, _ = self.needs()
+        programs = self.needs()[1]
         self.assertLessEqual({"apt-get", "cmake", "ctest", "dpkg-query", "nproc"}, programs)
 
     def test_calls_are_found_wherever_they_stand(self):
