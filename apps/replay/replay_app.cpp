@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "command_output.h"
 #include "flownav/core/version.h"
 #include "flownav/replay/replay.h"
 #include "flownav/sensor/config.h"
@@ -47,30 +48,6 @@ Exit status:
   3  output could not be written
 )";
 
-/// TCLAP's output in our words.
-class Output : public TCLAP::StdOutput {
-  public:
-    Output(std::ostream& out, std::ostream& error) : StdOutput(out), out_(out), error_(error) {}
-
-    void usage(TCLAP::CmdLineInterface& /*command*/) override { out_ << help; }
-
-    void version(TCLAP::CmdLineInterface& command) override {
-        out_ << "flownav-replay " << command.getVersion() << '\n';
-    }
-
-    void failure(TCLAP::CmdLineInterface& /*command*/, TCLAP::ArgException& exception) override {
-        failed = true;
-        error_ << "flownav-replay: " << exception.error() << ' ' << exception.argId()
-               << "\nTry flownav-replay --help\n";
-    }
-
-    bool failed = false;
-
-  private:
-    std::ostream& out_;
-    std::ostream& error_;
-};
-
 struct CommandLine {
     ReplayOptions options;
     bool quiet = false;
@@ -99,8 +76,7 @@ Config configuration(const std::string& file, const std::vector<std::string>& se
 std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std::ostream& out,
                                  std::ostream& error, int& status) {
     TCLAP::CmdLine command("", ' ', version());
-    Output output(out, error);
-    command.setOutput(&output);
+    CommandOutput output(command, "flownav-replay", help, out, error);
     TCLAP::UnlabeledValueArg<std::string> input("input", "", false, "", "INPUT.rawlog", command);
     TCLAP::ValueArg<std::string> folder("", "output", "", false, "", "DIR", command);
     TCLAP::ValueArg<std::string> file("", "config", "", false, "", "FILE.ini", command);
@@ -113,11 +89,14 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
     argv.reserve(arguments.size());
     for (const std::string& argument : arguments) argv.push_back(argument.c_str());
     if (!command.parse(static_cast<int>(argv.size()), argv.data())) {
-        status = output.failed ? usage_status : 0;
+        status = output.failed() ? usage_status : 0;
         return std::nullopt;
     }
-    if (!input.isSet() || !folder.isSet())
-        throw ConfigError("needs INPUT.rawlog and --output DIR\nTry flownav-replay --help");
+    if (!input.isSet() || !folder.isSet()) {
+        output.fail("needs INPUT.rawlog and --output DIR");
+        status = usage_status;
+        return std::nullopt;
+    }
     CommandLine result;
     result.quiet = quiet.getValue();
     result.options.input = input.getValue();
