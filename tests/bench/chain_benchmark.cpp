@@ -17,7 +17,7 @@ void Match(benchmark::State& state) {
     const std::vector<Eigen::Vector2i> bias_px(layout.size(), Eigen::Vector2i::Zero());
     const KernelEntry& kernel = select_kernel();
     std::vector<FlowVector> vectors;
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         match_blocks(fields[20].image, fields[22].image, layout, bias_px, params.subpixel, kernel,
                      static_cast<int>(state.range(1)), vectors);
         benchmark::DoNotOptimize(vectors.data());
@@ -36,7 +36,7 @@ void Step(benchmark::State& state) {
     const auto& fields = sample_fields();
     pipeline::Params params;
     params.threads = static_cast<int>(state.range(0));
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         pipeline::State chain(params);
         for (const Field& field : fields) benchmark::DoNotOptimize(&pipeline::step(chain, field));
     }

@@ -18,7 +18,7 @@ double peak_memory_mb() {
 /// Reading and unpacking alone; holds one field at a time.
 void Decode(benchmark::State& state) {
     std::int64_t fields = 0;
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         RawlogReader reader(sample_rawlog());
         FieldSource source(reader, {});
         while (const auto event = source.next()) fields += std::holds_alternative<Field>(*event);
@@ -33,7 +33,7 @@ void Replay(benchmark::State& state) {
     options.input = sample_rawlog();
     options.output = std::filesystem::temp_directory_path() / "flownav-bench";
     options.config.pipeline.threads = static_cast<int>(state.range(0));
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         if (replay(options).status != ExitStatus::Fine) state.SkipWithError("replay failed");
     }
     std::filesystem::remove_all(options.output);

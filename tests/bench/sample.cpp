@@ -8,7 +8,7 @@ namespace flownav::bench {
 
 std::filesystem::path sample_rawlog() {
     const char* data = std::getenv("FLOWNAV_DATA");
-    const auto field = std::filesystem::path(data ? data : FLOWNAV_DATA) / "scenes" / "field.rawlog";
+    auto field = std::filesystem::path(data ? data : FLOWNAV_DATA) / "scenes" / "field.rawlog";
     if (std::filesystem::exists(field)) return field;
     return std::filesystem::path(FLOWNAV_SHARE) / "datasets" / "corridor.rawlog";
 }

@@ -17,8 +17,8 @@ struct Offset {
 };
 
 /// Every offset in the order of the tie-break: the first of several equal costs wins.
-std::array<Offset, search_px * search_px> tie_break_order() {
-    std::array<Offset, search_px * search_px> order{};
+std::array<Offset, search_offsets> tie_break_order() {
+    std::array<Offset, search_offsets> order{};
     for (int nu = search_min; nu <= search_max; ++nu) {
         for (int mu = search_min; mu <= search_max; ++mu) order[index_of(mu, nu)] = {mu, nu};
     }

@@ -5,7 +5,7 @@
 namespace flownav {
 namespace {
 
-using Block = std::array<std::uint8_t, block_px * block_px>;
+using Block = std::array<std::uint8_t, std::size_t{block_px} * block_px>;
 
 Block gather(const std::uint8_t* block, std::ptrdiff_t stride) {
     Block packed;
@@ -18,7 +18,7 @@ Block gather(const std::uint8_t* block, std::ptrdiff_t stride) {
 int sad_of(const Block& block, const std::uint8_t* other, std::ptrdiff_t stride) {
     int sum = 0;
     for (int v = 0; v < block_px; ++v) {
-        const std::uint8_t* p = block.data() + v * block_px;
+        const std::uint8_t* p = block.data() + std::ptrdiff_t{v} * block_px;
         const std::uint8_t* q = other + v * stride;
         for (int u = 0; u < block_px; ++u) sum += std::abs(p[u] - q[u]);
     }

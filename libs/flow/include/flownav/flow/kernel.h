@@ -25,7 +25,8 @@ struct SearchRange {
 
 /// Cost of every offset, row by row (nu), for one block. Offsets outside the range hold `no_cost`.
 constexpr std::uint16_t no_cost = 0xFFFF;  // the largest possible SAD is 16 * 16 * 255 = 65280
-using SadSurface = std::array<std::uint16_t, search_px * search_px>;
+constexpr std::size_t search_offsets = std::size_t{search_px} * search_px;
+using SadSurface = std::array<std::uint16_t, search_offsets>;
 
 /// What a motion estimation processor reports of one block.
 struct BlockMatch {
