@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "flownav/mapping/fusion.h"
+#include "obstacle_sets.h"
+
+namespace flownav {
+namespace {
+
+using testing::occupancy;
+using testing::occupied_cells;
+using testing::point_at;
+using testing::set_seeing;
+
+constexpr double unknown = 0.5;
+constexpr double tolerance = 0.01;  // a cell is a byte
+
+TEST(DriveMap, CellsNeverSeenStayUnknown) {
+    DriveMap map({});
+    map.insert(set_seeing(1.25, 0.05, {}));
+    EXPECT_NEAR(occupancy(map.grid(), 0.55, 0.05), unknown, tolerance);
+    EXPECT_NEAR(occupancy(map.grid(), 1.55, 0.05), unknown, tolerance);
+    EXPECT_NEAR(occupancy(map.grid(), -1.0, 1.0), unknown, tolerance);
+}
+
+TEST(DriveMap, APointBecomesOccupiedAfterTwoCycles) {
+    DriveMap map({});
+    map.insert(set_seeing(1.25, 0.05, {}));
+    EXPECT_LT(occupancy(map.grid(), 1.25, 0.05), 0.66);
+    map.insert(set_seeing(1.25, 0.05, {}));
+    EXPECT_EQ(occupied_cells(map.grid()), 1);
+    EXPECT_GT(occupancy(map.grid(), 1.25, 0.05), 0.7);
+}
+
+TEST(DriveMap, ManyPointsOfOneCycleInOneCellCountOnce) {
+    DriveMap map({});
+    ObstacleSet set = set_seeing(1.25, 0.05, {});
+    for (int i = 0; i < 20; ++i) set.points.push_back(point_at(1.25, 0.05));
+    map.insert(set);
+    EXPECT_LT(occupancy(map.grid(), 1.25, 0.05), 0.66);
+}
+
+TEST(DriveMap, APointOfUncertainRangeSaysLess) {
+    DriveMap map({});
+    map.insert({0.0, {}, {point_at(1.25, 0.05, 0.01), point_at(1.25, 0.55, 0.2)}, {}});
+    EXPECT_GT(occupancy(map.grid(), 1.25, 0.05), occupancy(map.grid(), 1.25, 0.55) + 0.05);
+    EXPECT_GE(occupancy(map.grid(), 1.25, 0.55), unknown - tolerance);
+}
+
+TEST(DriveMap, ConfirmedFloorBecomesFreeAllAlongItsPatch) {
+    DriveMap map({});
+    for (int i = 0; i < 4; ++i) map.insert({0.0, {}, {}, {{{0.55, 0.05}, {1.55, 0.05}}}});
+    for (int i = 0; i < 9; ++i) EXPECT_LT(occupancy(map.grid(), 0.65 + 0.1 * i, 0.05), 0.35);
+    EXPECT_NEAR(occupancy(map.grid(), 1.0, 0.25), unknown, tolerance);
+    EXPECT_NEAR(occupancy(map.grid(), 1.75, 0.05), unknown, tolerance);
+}
+
+TEST(DriveMap, AnObstacleBeatsFloorInTheSameCell) {
+    DriveMap map({});
+    const std::vector<GroundPatch> floor = {{{0.55, 0.05}, {1.25, 0.05}}, {{1.2, 0.05}, {1.3, 0.05}}};
+    for (int i = 0; i < 3; ++i) map.insert({0.0, {}, {point_at(1.25, 0.05)}, floor});
+    EXPECT_GT(occupancy(map.grid(), 1.25, 0.05), 0.7);
+    EXPECT_LT(occupancy(map.grid(), 0.85, 0.05), 0.5);
+}
+
+TEST(DriveMap, FloorSeenLaterClearsWhatIsGone) {
+    DriveMap map({});
+    for (int i = 0; i < 3; ++i) map.insert(set_seeing(1.25, 0.05, {}));
+    for (int i = 0; i < 10; ++i) map.insert({1.0, {}, {}, {{{1.15, 0.05}, {1.35, 0.05}}}});
+    EXPECT_LT(occupancy(map.grid(), 1.25, 0.05), 0.5);
+}
+
+TEST(DriveMap, OneThingSeenFromTwoPosesFallsInOneCell) {
+    DriveMap map({});
+    map.insert(set_seeing(2.25, 0.45, {}));
+    map.insert(set_seeing(2.25, 0.45, {0.7, -0.4, 0.6}));
+    EXPECT_EQ(occupied_cells(map.grid()), 1);
+    EXPECT_GT(occupancy(map.grid(), 2.25, 0.45), 0.7);
+}
+
+TEST(DriveMap, LeftOfARobotThatLooksLeftIsBehindTheStart) {
+    DriveMap map({});
+    for (int i = 0; i < 2; ++i) map.insert({0.0, {0, 0, M_PI / 2}, {point_at(0.05, 1.25)}, {}});
+    EXPECT_GT(occupancy(map.grid(), -1.25, 0.05), 0.7);
+}
+
+TEST(DriveMap, GrowsWithTheDriveAndKeepsWhatItHas) {
+    DriveMap map({});
+    for (int i = 0; i < 2; ++i) map.insert(set_seeing(1.25, 0.05, {}));
+    for (int i = 0; i < 2; ++i) map.insert(set_seeing(20.25, -10.45, {19.0, -10.0, 0.0}));
+    EXPECT_EQ(occupied_cells(map.grid()), 2);
+    EXPECT_GT(occupancy(map.grid(), 1.25, 0.05), 0.7);
+    EXPECT_GT(occupancy(map.grid(), 20.25, -10.45), 0.7);
+}
+
+TEST(DriveMap, TakesItsResolutionFromTheParameters) {
+    MapParams params;
+    params.resolution_m = 0.05;
+    EXPECT_NEAR(DriveMap(params).grid().getResolution(), 0.05, 1e-6);
+}
+
+}  // namespace
+}  // namespace flownav
