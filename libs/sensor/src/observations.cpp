@@ -13,9 +13,10 @@ mrpt::obs::CObservation2DRangeScan::Ptr scan_observation(const pipeline::Step& s
     scan->timestamp = mrpt::Clock::fromDouble(step.timestamp_s);
     scan->sensorLabel = "FLOW_SCAN";
     scan->rightToLeft = true;
-    scan->aperture = static_cast<float>(source.step_rad * static_cast<double>(beams > 0 ? beams - 1 : 0));
+    const double aperture_rad = source.step_rad * static_cast<double>(beams > 0 ? beams - 1 : 0);
+    scan->aperture = static_cast<float>(aperture_rad);
     scan->maxRange = static_cast<float>(range_max_m);
-    const double centre_rad = source.first_bearing_rad + scan->aperture / 2.0;
+    const double centre_rad = source.first_bearing_rad + aperture_rad / 2.0;
     scan->sensorPose = mrpt::poses::CPose3D(0, 0, 0, centre_rad, 0, 0);
     scan->resizeScan(beams);
     for (std::size_t i = 0; i < beams; ++i) {
