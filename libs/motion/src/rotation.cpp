@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "background.h"
 #include "flownav/motion/robust.h"
 
 namespace flownav {
@@ -13,18 +14,19 @@ using Eigen::Vector2d;
 constexpr double horizon_margin = 0.06;  // a y + b below which (4) is too noisy to start from
 constexpr double noise_factor_min = 0.5;
 constexpr double noise_factor_max = 3.0;
+constexpr double cluster_gap_px = 0.2;  // between vectors of one background
 constexpr int biweight_steps = 4;
 constexpr double determinant_min = 1e-3;  // relative; below yaw and pitch cannot be told apart
 
-double start_omega(const std::vector<MotionSample>& samples, const PlaneGeometry& plane,
+double start_omega(const std::vector<MotionSample>& samples, const CameraModel& camera,
                    const Vector2d& direction, MotionScratch& scratch) {
-    scratch.values.clear();
+    const PlaneGeometry plane(camera.mount);
+    scratch.omegas.clear();
     for (const MotionSample& s : samples) {
         if (plane.below_horizon(s.ray.at) < horizon_margin) continue;
-        scratch.values.push_back(omega_of(s.ray, plane, direction));
+        scratch.omegas.push_back({omega_of(s.ray, plane, direction), s.ray.at});
     }
-    // Eq. (6)
-    return shorth(scratch.values);
+    return background_omega(scratch.omegas, cluster_gap_px / camera.fx_px, scratch.values);
 }
 
 /// The part of f = (S/Z) e + omega h + pitch p across e knows neither S nor Z: one equation a vector.
@@ -84,7 +86,7 @@ double omega_of(const RayFlow& ray, const PlaneGeometry& plane, const Vector2d& 
 Rotation fit_rotation(const std::vector<MotionSample>& samples, const CameraModel& camera,
                       const Vector2d& direction, const MotionParams& params, MotionScratch& scratch) {
     Rotation r;
-    r.omega_rad = start_omega(samples, PlaneGeometry(camera.mount), direction, scratch);
+    r.omega_rad = start_omega(samples, camera, direction, scratch);
     set_up(samples, camera, direction, scratch);
     for (int step = 0; step < biweight_steps; ++step) {
         scratch.values.clear();

@@ -12,6 +12,12 @@ struct MotionSample {
     bool in_ground_window = false;
 };
 
+/// omega_i (4) of one vector, and where it was measured on the normalised plane.
+struct OmegaSample {
+    double omega_rad;
+    Eigen::Vector2d at;
+};
+
 /// Working memory of estimate_motion(), kept between calls so that nothing is allocated.
 struct MotionScratch {
     /// One equation across e: turn * omega + pitch * pitch rate = measured, in units of the vector's
@@ -24,6 +30,7 @@ struct MotionScratch {
     struct Along {
         double travel_m, sigma_m;
     };
+    std::vector<OmegaSample> omegas;
     std::vector<Across> across;
     std::vector<Along> along;
     std::vector<double> values;
