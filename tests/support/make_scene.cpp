@@ -48,6 +48,10 @@ struct Arguments {
     TCLAP::ValueArg<int> width{"", "width", "of a frame, px", false, 640, "PX", cmd};
     TCLAP::ValueArg<double> rate{"", "rate", "images per second", false, 25.0, "HZ", cmd};
     TCLAP::ValueArg<double> speed{"", "speed", "of the robot, m/s", false, 0.4, "MPS", cmd};
+    TCLAP::ValueArg<double> turn{
+        "", "turn", "fastest turn of s-curve and turns, degrees per second", false, 30.0, "DEGPS", cmd};
+    TCLAP::ValueArg<double> blur{
+        "", "blur", "time that the shutter stays open, seconds: motion blur", false, 0.0, "S", cmd};
     TCLAP::ValueArg<double> vibration{
         "", "vibration", "of the pitch, standard deviation in degrees", false, 0.0, "DEG", cmd};
     TCLAP::ValueArg<double> exposure{
@@ -74,6 +78,8 @@ SceneOptions scene_options(Arguments& arguments) {
     scene.images = arguments.images.getValue();
     scene.rate_hz = arguments.rate.getValue();
     scene.speed_mps = arguments.speed.getValue();
+    scene.turn_radps = arguments.turn.getValue() * M_PI / 180.0;
+    scene.effects.exposure_s = arguments.blur.getValue();
     scene.floor = floor_surface(arguments.floor.getValue()).value();
     scene.camera = standard_camera(arguments.width.getValue(), arguments.height.getValue());
     scene.interlaced = arguments.interlaced.getValue();

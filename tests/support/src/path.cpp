@@ -8,29 +8,38 @@ namespace {
 
 constexpr double degree = M_PI / 180.0;
 
-/// Turns to the left and right of 30 deg/s and 1.5 s between straight pieces of 1 s, entered within 0.3 s.
-double turns_radps(double time_s) {
+/// Share of the full turn rate, > 0 to the left: turns to the left and right of 1.5 s between straight pieces
+/// of 1 s, entered within 0.3 s.
+double turning(double time_s) {
     constexpr double piece_s = 2.5;
     constexpr double ramp_s = 0.3;
     const double piece = std::floor(time_s / piece_s);
     const double in_turn_s = time_s - piece * piece_s - 1.0;
     const double left_s = 1.5 - in_turn_s;
     const double share = std::clamp(std::min(in_turn_s, left_s) / ramp_s, 0.0, 1.0);
-    return (std::fmod(piece, 2.0) < 1.0 ? 30.0 : -30.0) * degree * share;
+    return std::fmod(piece, 2.0) < 1.0 ? share : -share;
 }
 
 /// Turn rate of the robot.
 double omega_radps(const SceneOptions& options, double time_s) {
     switch (options.kind) {
         case SceneKind::SCurve:
-            return 30.0 * degree * std::cos(2.0 * M_PI * time_s / 4.8 + 0.3);
+            return options.turn_radps * std::cos(2.0 * M_PI * time_s / 4.8 + 0.3);
         case SceneKind::Turns:
-            return turns_radps(time_s);
+            return options.turn_radps * turning(time_s);
         case SceneKind::Corridor:
             return 6.0 * degree * std::cos(2.0 * M_PI * time_s / 4.0);
         default:
             return 0.0;
     }
+}
+
+/// Speed of the robot. StopAndGo: 1.6 s of driving and 0.8 s of rest, with ramps of 0.3 s.
+double speed_mps(const SceneOptions& options, double time_s) {
+    if (options.kind != SceneKind::StopAndGo) return options.speed_mps;
+    constexpr double ramp_s = 0.3;
+    const double in_period_s = std::fmod(time_s, 2.4);
+    return options.speed_mps * std::clamp(std::min(in_period_s, 1.6 - in_period_s) / ramp_s, 0.0, 1.0);
 }
 
 double rounded(double value) {
@@ -48,8 +57,8 @@ std::vector<Pose2> make_path(const SceneOptions& options) {
         poses.push_back({rounded(pose.x_m), rounded(pose.y_m), rounded(pose.yaw_rad)});
         for (int k = 0; k < steps; ++k) {
             const double time_s = i / options.rate_hz + (k + 0.5) * step_s;
-            pose =
-                compose(pose, along_arc(omega_radps(options, time_s) * step_s, options.speed_mps * step_s));
+            const double turn_rad = omega_radps(options, time_s) * step_s;
+            pose = compose(pose, along_arc(turn_rad, speed_mps(options, time_s) * step_s));
         }
     }
     return poses;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <stdexcept>
 
 #include "flownav/testing/random.h"
 #include "scene_painter.h"
@@ -27,6 +29,20 @@ std::vector<float> paint(const World& world, const View& view) {
     return light;
 }
 
+std::vector<float> mean_light(const World& world, const std::vector<View>& views,
+                              const ImageEffects& effects) {
+    if (views.empty()) throw std::invalid_argument("an image needs at least one view");
+    std::vector<float> sum;
+    for (View view : views) {
+        view.camera = with_effects(view.camera, effects);
+        const std::vector<float> light = paint(world, view);
+        sum.resize(light.size());
+        std::transform(sum.begin(), sum.end(), light.begin(), sum.begin(), std::plus<>());
+    }
+    for (float& grey : sum) grey /= static_cast<float>(views.size());
+    return sum;
+}
+
 /// Share of the light that reaches a pixel: falls with the square of the distance from the middle.
 double vignette(const CameraModel& camera, double share, int u, int v) {
     const double x = (2.0 * u + 1.0) / camera.width_px - 1.0;
@@ -49,15 +65,18 @@ CameraModel with_effects(CameraModel camera, const ImageEffects& effects) {
 }
 
 GreyImage render(const World& world, const View& view, const ImageEffects& effects) {
-    View real = view;
-    real.camera = with_effects(view.camera, effects);
-    const std::vector<float> light = paint(world, real);
-    GreyImage image(real.camera.width_px, real.camera.height_px);
+    return render(world, std::vector<View>{view}, effects);
+}
+
+GreyImage render(const World& world, const std::vector<View>& during_exposure, const ImageEffects& effects) {
+    const std::vector<float> light = mean_light(world, during_exposure, effects);
+    const CameraModel& camera = during_exposure.front().camera;
+    GreyImage image(camera.width_px, camera.height_px);
     for (std::size_t i = 0; i < light.size(); ++i) {
         const int u = static_cast<int>(i) % image.width_px;
         const int v = static_cast<int>(i) / image.width_px;
         const double noise = effects.noise_sigma * normal_of_bits(mix(effects.noise_seed, i));
-        const double falloff = vignette(real.camera, effects.vignetting, u, v);
+        const double falloff = vignette(camera, effects.vignetting, u, v);
         const double grey = effects.gain * falloff * static_cast<double>(light[i]) + effects.offset + noise;
         image.pixels[i] = digitise(grey, effects.grey_step);
     }

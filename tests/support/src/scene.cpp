@@ -27,8 +27,41 @@ void check(const SceneOptions& options) {
         throw std::invalid_argument("grey_step = " + std::to_string(options.effects.grey_step) +
                                     ": choose 1 to 64");
     }
+    if (!(options.turn_radps >= 0.0 && options.turn_radps <= 6.3)) {
+        throw std::invalid_argument("turn_radps = " + std::to_string(options.turn_radps) +
+                                    ": choose 0 to 6.3");
+    }
+    if (!(options.effects.exposure_s >= 0.0 && options.effects.exposure_s * options.rate_hz <= 1.0)) {
+        throw std::invalid_argument("exposure_s = " + std::to_string(options.effects.exposure_s) +
+                                    ": choose 0 up to the time between images");
+    }
     if (!(options.speed_mps >= 0.0 && options.speed_mps <= 10.0))
         throw std::invalid_argument("speed_mps = " + std::to_string(options.speed_mps) + ": choose 0 to 10");
+}
+
+/// Motion of the robot from image i to the next, or to image i from the one before at the end of the drive.
+EgoMotion motion_at(const Scene& scene, int i) {
+    const auto first = static_cast<std::size_t>(std::min(i, scene.images() - 2));
+    return exact_motion(scene.poses[first], scene.poses[first + 1]);
+}
+
+/// Where the camera is while the shutter is open.
+std::vector<View> views_during_exposure(const Scene& scene, int i) {
+    const View middle = nominal_view(scene, i);
+    const double exposure_s = scene.options.effects.exposure_s;
+    if (exposure_s <= 0.0) return {middle};
+    constexpr int moments = 8;
+    const EgoMotion motion = motion_at(scene, i);
+    std::vector<View> views(moments, middle);
+    for (int k = 0; k < moments; ++k) {
+        const double later_s = exposure_s * ((k + 0.5) / moments - 0.5);
+        const double share = later_s * scene.options.rate_hz;
+        View& view = views[static_cast<std::size_t>(k)];
+        view.time_s += later_s;
+        view.T_world_robot =
+            compose(view.T_world_robot, along_arc(share * motion.omega_rad, share * motion.forward_m));
+    }
+    return views;
 }
 
 }  // namespace
@@ -45,6 +78,8 @@ const char* to_string(SceneKind kind) {
             return "turns";
         case SceneKind::Corridor:
             return "corridor";
+        case SceneKind::StopAndGo:
+            return "stop-and-go";
         case SceneKind::Mover:
             return "mover";
     }
@@ -88,7 +123,7 @@ View true_view(const Scene& scene, int i) {
 }
 
 GreyImage render_image(const Scene& scene, int i) {
-    return render(scene.world, nominal_view(scene, i), effects_of_image(scene.options.effects, i));
+    return render(scene.world, views_during_exposure(scene, i), effects_of_image(scene.options.effects, i));
 }
 
 Field make_field(const Scene& scene, int i) {

@@ -96,7 +96,7 @@ TextureSampler::TextureSampler(const Texture& texture) : shade_(texture.shade), 
         case Surface::Tiles:
             base_ = 135.0;
             tiled_ = true;
-            add_octaves(0.6, 0.01, 0.4, 1.2, 1.0);
+            add_octaves(0.6, 0.005, 0.4, 2.0, 1.0);
             break;
         case Surface::Lino:
             base_ = 120.0;

@@ -52,13 +52,54 @@ TEST(Scene, SpeedAndTurnRateAreThoseOfTheDrive) {
         double fastest_radps = 0.0;
         for (std::size_t i = 1; i < scene.poses.size(); ++i) {
             const EgoMotion motion = exact_motion(scene.poses[i - 1], scene.poses[i]);
-            EXPECT_NEAR(motion.forward_m * 25.0, 0.4, 1e-4);
+            EXPECT_LT(motion.forward_m * 25.0, 0.4001);
+            EXPECT_GT(motion.forward_m * 25.0, kind == SceneKind::StopAndGo ? -1e-9 : 0.3999);
             fastest_radps = std::max(fastest_radps, std::abs(motion.omega_rad) * 25.0);
         }
         EXPECT_LE(fastest_radps, 30.01 * M_PI / 180.0) << to_string(kind);
         const bool turns = kind == SceneKind::Turns || kind == SceneKind::SCurve;
         EXPECT_EQ(fastest_radps > 0.5, turns) << to_string(kind);
     }
+}
+
+TEST(Scene, StopAndGoStandsStillInBetween) {
+    const Scene scene = make_scene(SceneKind::StopAndGo, 1);
+    int resting = 0;
+    int driving = 0;
+    for (std::size_t i = 1; i < scene.poses.size(); ++i) {
+        const double v_mps = exact_motion(scene.poses[i - 1], scene.poses[i]).forward_m * 25.0;
+        resting += v_mps < 1e-9 ? 1 : 0;
+        driving += v_mps > 0.399 ? 1 : 0;
+    }
+    EXPECT_GE(resting, 30);
+    EXPECT_GE(driving, 40);
+}
+
+TEST(Scene, OpenShutterBlursAlongTheMotionOnly) {
+    SceneOptions options;
+    options.camera = standard_camera(160, 120);
+    options.kind = SceneKind::Free;
+    options.speed_mps = 1.5;
+    options.effects.noise_sigma = 0.0;
+    const Scene sharp = make_scene(options);
+    options.effects.exposure_s = 0.03;
+    const Scene blurred = make_scene(options);
+    const auto roughness = [](const GreyImage& image) {
+        double sum = 0.0;
+        for (int v = 60; v < 119; ++v) {
+            for (int u = 60; u < 100; ++u) sum += std::abs(image.at(u, v + 1) - image.at(u, v));
+        }
+        return sum;
+    };
+    EXPECT_LT(roughness(render_image(blurred, 5)), 0.9 * roughness(render_image(sharp, 5)));
+    const auto difference = [](const GreyImage& a, const GreyImage& b) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += std::abs(a.pixels[i] - b.pixels[i]);
+        return sum;
+    };
+    const GreyImage image = render_image(blurred, 5);
+    EXPECT_LT(difference(image, render_image(sharp, 5)), difference(image, render_image(sharp, 4)));
+    EXPECT_LT(difference(image, render_image(sharp, 5)), difference(image, render_image(sharp, 6)));
 }
 
 TEST(Scene, InterlacedImagesAlternateTheirParityTopFirst) {

@@ -15,6 +15,7 @@ struct CameraEffects {
     int grey_step = 1;                 ///< greys are multiples of this
     double pitch_vibration_rad = 0.0;  ///< standard deviation
     double roll_vibration_rad = 0.0;   ///< standard deviation
+    double exposure_s = 0.0;           ///< the shutter is open this long about the image's time: motion blur
     double floor_sigma_m = 0.0;        ///< of the camera's height over the ground
     std::uint64_t seed = 1;
 };

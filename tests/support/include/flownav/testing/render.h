@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "flownav/testing/grey_image.h"
 #include "flownav/testing/truth.h"
@@ -25,5 +26,10 @@ CameraModel with_effects(CameraModel camera, const ImageEffects& effects);
 /// Renders the world as the view sees it. Integer pixel coordinates are pixel centres. Deterministic: the
 /// same arguments give the same bytes with any number of threads.
 GreyImage render(const World& world, const View& view, const ImageEffects& effects = {});
+
+/// The same for a shutter that stays open while the camera moves through several views: motion blur.
+/// Throws std::invalid_argument when there is no view.
+GreyImage render(const World& world, const std::vector<View>& during_exposure,
+                 const ImageEffects& effects = {});
 
 }  // namespace flownav::testing

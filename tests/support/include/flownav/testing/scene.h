@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,17 +14,18 @@
 namespace flownav::testing {
 
 enum class SceneKind : std::uint8_t {
-    Free,      ///< straight over an empty floor
-    Straight,  ///< straight between boxes, poles, chairs and drums
-    SCurve,    ///< an S through the same, up to 30 deg/s
-    Turns,     ///< straight pieces and turns of 30 deg/s
-    Corridor,  ///< a gentle weave through a corridor with boxes and poles
-    Mover,     ///< straight, with a large box crossing ahead
+    Free,       ///< straight over an empty floor
+    Straight,   ///< straight between boxes, poles, chairs and drums
+    SCurve,     ///< an S through the same
+    Turns,      ///< straight pieces and turns
+    Corridor,   ///< a gentle weave through a corridor with boxes and poles
+    StopAndGo,  ///< straight, standing still again and again
+    Mover,      ///< straight, with a large box crossing ahead
 };
 
-constexpr std::array<SceneKind, 6> all_scene_kinds = {SceneKind::Free,     SceneKind::Straight,
-                                                      SceneKind::SCurve,   SceneKind::Turns,
-                                                      SceneKind::Corridor, SceneKind::Mover};
+constexpr std::array<SceneKind, 7> all_scene_kinds = {
+    SceneKind::Free,     SceneKind::Straight,  SceneKind::SCurve, SceneKind::Turns,
+    SceneKind::Corridor, SceneKind::StopAndGo, SceneKind::Mover};
 
 const char* to_string(SceneKind kind);
 std::optional<SceneKind> scene_kind(const std::string& name);
@@ -34,6 +36,7 @@ struct SceneOptions {
     int images = 120;
     double rate_hz = 25.0;
     double speed_mps = 0.4;
+    double turn_radps = 30.0 * M_PI / 180.0;  ///< fastest turn of SCurve and Turns
     Surface floor = Surface::Carpet;
     CameraModel camera = standard_camera();  ///< of a frame
     bool interlaced = false;                 ///< fields of alternating parity, the top one first
