@@ -1,0 +1,55 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "flownav/pipeline/pipeline.h"
+#include "flownav/replay/field_source.h"
+#include "flownav/replay/metrics.h"
+
+namespace flownav {
+namespace {
+
+/// The folder of the optional recordings.
+std::filesystem::path data_folder() {
+    const char* given = std::getenv("FLOWNAV_DATA");
+    return given != nullptr ? given : FLOWNAV_DATA;
+}
+
+/// The errors of the default configuration against the recorded truth.
+Errors errors_of(const std::filesystem::path& rawlog) {
+    const Config config;
+    RawlogReader reader(rawlog);
+    FieldSource source(reader, config.camera);
+    pipeline::State state(config.pipeline);
+    std::vector<FieldRow> rows;
+    PoseTrack truth;
+    while (const auto event = source.next()) {
+        if (const auto* field = std::get_if<Field>(&*event))
+            rows.push_back(row_of(pipeline::step(state, *field)));
+        const auto* sample = std::get_if<PoseSample>(&*event);
+        if (sample != nullptr && sample->source == PoseSample::Source::GroundTruth)
+            truth.add(sample->timestamp_s, sample->pose);
+    }
+    truth.finish();
+    EXPECT_EQ(reader.end().kind, ReadEnd::Kind::Clean) << reader.end().message;
+    return compare(rows, truth);
+}
+
+TEST(RecordedScene, FieldSceneReachesItsNumbers) {
+    const std::filesystem::path rawlog = data_folder() / "scenes/field.rawlog";
+    if (!std::filesystem::exists(rawlog))
+        GTEST_SKIP() << "no " << rawlog << "; set FLOWNAV_DATA to the folder with the recordings";
+    const Errors errors = errors_of(rawlog);
+    ASSERT_GT(errors.fields_compared, 100U);
+    EXPECT_LT(errors.omega_rms_degps.value(), 0.10);
+    EXPECT_LT(errors.omega_cycle_rms_degps.value(), 0.03);
+    EXPECT_LT(std::abs(errors.v_bias_percent.value()), 0.4);
+    EXPECT_LT(errors.v_sd_percent.value(), 0.5);
+    EXPECT_LT(errors.end_position_percent.value(), 1.0);
+    EXPECT_LT(std::abs(errors.heading_end_deg.value()), 0.2);
+}
+
+}  // namespace
+}  // namespace flownav

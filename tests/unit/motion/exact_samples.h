@@ -1,0 +1,40 @@
+#pragma once
+#include <vector>
+
+#include "flownav/motion/estimate_motion.h"
+#include "flownav/testing/random.h"
+#include "flownav/testing/truth.h"
+
+namespace flownav::testing {
+
+constexpr double degree = M_PI / 180.0;
+constexpr double image_s = 1.0 / 25.0;
+
+/// Two views of a world, and the exact motion of the robot in between.
+struct Pair {
+    World world;
+    View from;
+    View to;
+    EgoMotion truth;
+};
+
+/// A robot that drives and turns for `images` images of 25 Hz.
+Pair drive(const CameraModel& camera, double v_mps, double omega_degps, double images,
+           const World& world = {}, const Pose2& start = {});
+
+/// Exact flow where the sensor would place its blocks.
+std::vector<FlowVector> exact_vectors(const Pair& pair);
+
+/// The vectors as the ego-motion takes them.
+std::vector<MotionSample> samples_of(const Pair& pair, const std::vector<FlowVector>& vectors,
+                                     Geometry geometry = Geometry::MidPoint);
+
+inline std::vector<MotionSample> exact_samples(const Pair& pair, Geometry geometry = Geometry::MidPoint) {
+    return samples_of(pair, exact_vectors(pair), geometry);
+}
+
+/// estimate_motion() with the camera of the pair and a rough prediction, as the cycle before would give it.
+MotionEstimate estimate(const Pair& pair, const std::vector<MotionSample>& samples,
+                        const MotionParams& params = {});
+
+}  // namespace flownav::testing
