@@ -142,10 +142,11 @@ ImportOptions options_of(Arguments& a, const Subcommand& subcommand) {
         throw ConfigError("--rate " + std::to_string(a.rate.getValue()) +
                           ": must be 0.001 .. 100000 images a second");
     }
-    if (is_kitti(subcommand.kind))
+    if (is_kitti(subcommand.kind)) {
         options.mount = mount_of(a);
-    else
+    } else {
         options.camera = camera_of(a);
+    }
     return options;
 }
 

@@ -164,9 +164,11 @@ TEST(DamagedRawlog, DamageBelowARightChecksumAlwaysReadsToAnEnd) {
 TEST(DamagedRawlog, EveryByteOfAnObjectMayBeDamaged) {
     const std::string good = serialized({image_at(1.0), odometry_at(1.0, 0.5), truth_at(1.0, 0.5)});
     const std::string rest = serialized({image_at(2.0)});
-    const std::size_t pixels = serialized({image_at(1.0)}).size() - 64 * 48 - 40;  // about where they begin
+    constexpr std::size_t pixel_count = std::size_t{64} * 48;
+    const std::size_t pixels =
+        serialized({image_at(1.0)}).size() - pixel_count - 40;  // about where they begin
     for (std::size_t i = 0; i < good.size(); ++i) {
-        if (i > pixels && i < pixels + 64 * 48 - 100) continue;
+        if (i > pixels && i < pixels + pixel_count - 100) continue;
         std::string bytes = good + rest;
         bytes[i] = static_cast<char>(bytes[i] ^ 0x80);
         expect_an_end(bytes, "byte " + std::to_string(i));

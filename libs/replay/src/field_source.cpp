@@ -67,30 +67,33 @@ void FieldSource::consume(const CObservation::Ptr& observation) {
     const auto image = std::dynamic_pointer_cast<CObservationImage>(observation);
     const auto odometry = std::dynamic_pointer_cast<CObservationOdometry>(observation);
     const auto truth = std::dynamic_pointer_cast<CObservationRobotPose>(observation);
-    if (image && label == camera_.camera_label)
+    if (image && label == camera_.camera_label) {
         consume_image(image);
-    else if (odometry && label == "ODOMETRY")
+    } else if (odometry && label == "ODOMETRY") {
         consume_pose(sample_of(*odometry), "odometry_");
-    else if (truth && label == "GROUND_TRUTH")
+    } else if (truth && label == "GROUND_TRUTH") {
         consume_pose(sample_of(*truth), "ground_truth_");
-    else
+    } else {
         ++counts_.ignored;
+    }
 }
 
 bool FieldSource::accept_time(const std::string& kind, double timestamp_s) {
     const auto last = last_time_s_.find(kind);
     const bool first = last == last_time_s_.end();
     std::string reason;
-    if (std::isnan(timestamp_s))
+    if (std::isnan(timestamp_s)) {
         reason = "time_invalid";
-    else if (!first && timestamp_s == last->second)
+    } else if (!first && timestamp_s == last->second) {
         reason = "time_repeated";
-    else if (!first && timestamp_s < last->second)
+    } else if (!first && timestamp_s < last->second) {
         reason = "time_backwards";
-    if (reason.empty())
+    }
+    if (reason.empty()) {
         last_time_s_[kind] = timestamp_s;
-    else
+    } else {
         ++counts_.rejected[kind + reason];
+    }
     return reason.empty();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "flownav/replay/rawlog_reader.h"
 #include "flownav/sensor/camera_conversion.h"
@@ -67,8 +68,8 @@ std::vector<double> read_times_file(const fs::path& file) {
     return times_s;
 }
 
-ImageFolder::ImageFolder(const fs::path& directory, const CameraConfig& camera, const FrameTimes& times)
-    : images_(list_images(directory)), camera_(camera) {
+ImageFolder::ImageFolder(const fs::path& directory, CameraConfig camera, const FrameTimes& times)
+    : images_(list_images(directory)), camera_(std::move(camera)) {
     fs::path file = times.file;
     if (file.empty() && !times.rate_hz) file = find_times_file(directory);
     if (!file.empty()) {

@@ -67,7 +67,11 @@ ObjectReader::ObjectReader(const std::filesystem::path& file) : file_(file), byt
 }
 
 void ObjectReader::require_rawlog() {
-    const ObjectHeader header = parse_object_header(stream_.peek(object_header_bytes));
+    const auto head = stream_.peek(object_header_bytes);
+    if (head.empty() && bytes_.state() == InputBytes::State::End) {
+        throw InputError(file_.string() + ": holds no object; the recording never got to its first one");
+    }
+    const ObjectHeader header = parse_object_header(head);
     if (header.kind == ObjectHeader::Kind::Malformed) {
         throw InputError(file_.string() + ": is not a rawlog: it does not begin with an MRPT object");
     }
@@ -91,10 +95,11 @@ CSerializable::Ptr ObjectReader::read_object() {
         ++end_.objects_read;
         return object;
     } catch (const BogusLength& length) {
-        if (length.doubt.value <= believable_length)
+        if (length.doubt.value <= believable_length) {
             finish(ReadEnd::Kind::Truncated, length.text(), cut_advice);
-        else
+        } else {
             finish(ReadEnd::Kind::Corrupt, length.text(), damage_advice);
+        }
     } catch (const std::exception& e) {
         finish_after(short_reason(e.what()));
     }
@@ -108,13 +113,13 @@ bool ObjectReader::begin_object() {
     const auto head = stream_.peek(object_header_bytes);
     const ObjectHeader header = parse_object_header(head);
     class_name_ = header.class_name;
-    if (head.empty() && bytes_.state() == InputBytes::State::End)
+    if (head.empty() && bytes_.state() == InputBytes::State::End) {
         finish(ReadEnd::Kind::Clean, "", "");
-    else if (header.kind == ObjectHeader::Kind::TooShort)
+    } else if (header.kind == ObjectHeader::Kind::TooShort) {
         finish_for_lack_of_bytes();
-    else if (header.kind == ObjectHeader::Kind::Malformed)
+    } else if (header.kind == ObjectHeader::Kind::Malformed) {
         finish_after("no object begins here");
-    else if (class_name_ != "nullptr" && mrpt::rtti::findRegisteredClass(class_name_) == nullptr) {
+    } else if (class_name_ != "nullptr" && mrpt::rtti::findRegisteredClass(class_name_) == nullptr) {
         finish_unknown(class_name_);
     }
     return end_.kind == ReadEnd::Kind::NotYet;
@@ -169,12 +174,13 @@ void ObjectReader::finish_for_lack_of_bytes() {
 
 void ObjectReader::finish_after(const std::string& reason) {
     const std::string stranger = unknown_class(reason);
-    if (stream_.ran_dry())
+    if (stream_.ran_dry()) {
         finish_for_lack_of_bytes();
-    else if (!stranger.empty())
+    } else if (!stranger.empty()) {
         finish_unknown(stranger);
-    else
+    } else {
         finish(ReadEnd::Kind::Corrupt, "the object is damaged (" + reason + ")", damage_advice);
+    }
 }
 
 void ObjectReader::finish_unknown(const std::string& class_name) {

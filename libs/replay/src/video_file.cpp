@@ -3,6 +3,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
+#include <utility>
 
 #include "flownav/replay/rawlog_reader.h"
 #include "flownav/sensor/camera_conversion.h"
@@ -13,9 +14,8 @@ struct VideoFile::Capture {
     cv::VideoCapture video;
 };
 
-VideoFile::VideoFile(const std::filesystem::path& file, const CameraConfig& camera,
-                     std::optional<double> rate_hz)
-    : capture_(std::make_unique<Capture>()), camera_(camera) {
+VideoFile::VideoFile(const std::filesystem::path& file, CameraConfig camera, std::optional<double> rate_hz)
+    : capture_(std::make_unique<Capture>()), camera_(std::move(camera)) {
     if (!std::filesystem::exists(file)) throw InputError(file.string() + ": no such file");
     if (!std::filesystem::is_regular_file(file)) throw InputError(file.string() + ": is not a file");
     if (!capture_->video.open(file.string(), cv::CAP_FFMPEG)) {
@@ -38,10 +38,11 @@ std::optional<SequenceFrame> VideoFile::next() {
     cv::Mat image;
     if (!capture_->video.read(image) || image.empty()) return std::nullopt;
     const auto grey = std::make_shared<cv::Mat>();
-    if (image.channels() == 1)
+    if (image.channels() == 1) {
         *grey = image.clone();
-    else
+    } else {
         cv::cvtColor(image, *grey, cv::COLOR_BGR2GRAY);
+    }
     Field field;
     field.timestamp_s = static_cast<double>(at_++) / rate_hz_;
     field.image = {grey->data, grey->cols, grey->rows, static_cast<std::ptrdiff_t>(grey->step)};

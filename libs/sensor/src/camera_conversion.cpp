@@ -43,10 +43,11 @@ void require_finite(const CameraModel& c) {
     bool any = bad(c.fx_px) || bad(c.fy_px) || bad(c.cx_px) || bad(c.cy_px) || bad(c.mount.height_m) ||
                bad(c.mount.forward_m) || bad(c.mount.left_m) || bad(c.mount.pitch_rad);
     for (const double k : c.distortion) any = any || bad(k);
-    if (any)
+    if (any) {
         throw ConfigError(
             "the recorded calibration of the camera holds a value that is no number: "
             "set camera.fx_px, fy_px, cx_px, cy_px, distortion, height_m and pitch_deg");
+    }
 }
 
 void require_range(const char* key, double value, double low, double high, const char* hint) {

@@ -29,10 +29,11 @@ SourceResult read_file(const std::filesystem::path& file, const CameraConfig& ca
     FieldSource source(reader, camera);
     SourceResult result;
     while (const auto event = source.next()) {
-        if (const auto* field = std::get_if<Field>(&*event))
+        if (const auto* field = std::get_if<Field>(&*event)) {
             result.fields.push_back(*field);
-        else
+        } else {
             result.poses.push_back(std::get<PoseSample>(*event));
+        }
     }
     result.counts = source.counts();
     result.end = reader.end();

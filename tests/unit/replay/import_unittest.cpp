@@ -61,10 +61,11 @@ Recorded read_back(const fs::path& file) {
     FieldSource source(reader, {});
     Recorded result;
     while (const auto event = source.next()) {
-        if (const auto* field = std::get_if<Field>(&*event))
+        if (const auto* field = std::get_if<Field>(&*event)) {
             result.fields.push_back(*field);
-        else
+        } else {
             result.poses.push_back(std::get<PoseSample>(*event));
+        }
     }
     EXPECT_EQ(reader.end().kind, ReadEnd::Kind::Clean) << reader.end().message;
     EXPECT_TRUE(source.counts().rejected.empty());

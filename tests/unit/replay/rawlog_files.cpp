@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 fs::path test_folder() {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    const fs::path folder =
+    fs::path folder =
         fs::path(::testing::TempDir()) / "flownav_replay_input" / test->test_suite_name() / test->name();
     fs::remove_all(folder);
     fs::create_directories(folder);
@@ -47,9 +47,9 @@ void write_bytes(const fs::path& file, const std::string& bytes) {
 }
 
 mrpt::obs::CObservationImage::Ptr image_at(double timestamp_s, unsigned seed) {
-    cv::Mat pixels(48, 64, CV_8UC1);
+    cv::Mat_<std::uint8_t> pixels(48, 64);
     std::minstd_rand random(seed);
-    for (auto it = pixels.begin<uint8_t>(); it != pixels.end<uint8_t>(); ++it) *it = random() >> 8 & 0xFF;
+    for (std::uint8_t& pixel : pixels) pixel = random() >> 8 & 0xFF;
     auto image = mrpt::obs::CObservationImage::Create();
     image->timestamp = mrpt::Clock::fromDouble(timestamp_s);
     image->sensorLabel = "CAMERA1";

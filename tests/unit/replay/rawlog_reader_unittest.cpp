@@ -68,6 +68,8 @@ TEST(RawlogReader, EmptyFileIsAnError) {
     const auto file = test_folder() / "empty.rawlog";
     write_bytes(file, "");
     EXPECT_TRUE(contains(input_error(file), "is empty"));
+    write_bytes(file, gz(""));
+    EXPECT_TRUE(contains(input_error(file), "holds no object"));
 }
 
 TEST(RawlogReader, TextIsNotARawlog) {

@@ -23,7 +23,7 @@ std::vector<double> read_times_file(const std::filesystem::path& file);
 /// numbers. Colour becomes grey.
 class ImageFolder : public ImageSequence {
   public:
-    ImageFolder(const std::filesystem::path& directory, const CameraConfig& camera, const FrameTimes& times);
+    ImageFolder(const std::filesystem::path& directory, CameraConfig camera, const FrameTimes& times);
 
     std::optional<SequenceFrame> next() override;
     std::size_t size() const override { return images_.size(); }

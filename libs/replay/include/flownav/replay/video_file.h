@@ -10,7 +10,7 @@ namespace flownav {
 /// The images of a video, made grey. Image i was taken at i / rate_hz; without a rate the video's own counts.
 class VideoFile : public ImageSequence {
   public:
-    VideoFile(const std::filesystem::path& file, const CameraConfig& camera, std::optional<double> rate_hz);
+    VideoFile(const std::filesystem::path& file, CameraConfig camera, std::optional<double> rate_hz);
     ~VideoFile() override;
 
     std::optional<SequenceFrame> next() override;
