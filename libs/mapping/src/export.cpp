@@ -1,8 +1,11 @@
 #include "flownav/mapping/export.h"
 
-#include <mrpt/io/CFileGZOutputStream.h>
+#include <mrpt/io/CMemoryStream.h>
 #include <mrpt/serialization/CArchive.h>
+#include <zlib.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -18,10 +21,11 @@ constexpr double occupied_threshold = 0.65;
 constexpr double free_threshold = 0.35;
 
 void write_file(const fs::path& file, const std::string& content) {
+    errno = 0;
     std::ofstream out(file, std::ios::binary);
     out << content;
     out.close();
-    if (!out) throw std::runtime_error("cannot write '" + file.string() + "': disk full or no permission");
+    if (!out) throw std::runtime_error("cannot write '" + file.string() + "': " + std::strerror(errno));
 }
 
 /// Grey 0 is occupied, 254 free, 205 unknown; the first row is the largest y.
@@ -49,20 +53,34 @@ std::string yaml_of(const COccupancyGridMap2D& grid) {
     return yaml.str();
 }
 
+/// The grid as MRPT serializes it, gz-compressed. In memory, because MRPT's own gz file swallows a full disk.
+std::string gridmap_of(const COccupancyGridMap2D& grid) {
+    mrpt::io::CMemoryStream plain;
+    mrpt::serialization::archiveFrom(plain) << grid;
+    z_stream z{};
+    constexpr int gzip_header = 16;
+    constexpr int memory_level = 8;
+    if (deflateInit2(&z, Z_DEFAULT_COMPRESSION, Z_DEFLATED, gzip_header + MAX_WBITS, memory_level,
+                     Z_DEFAULT_STRATEGY) != Z_OK) {
+        throw std::runtime_error("not enough memory to compress the map");
+    }
+    std::string packed(deflateBound(&z, static_cast<uLong>(plain.getTotalBytesCount())), '\0');
+    z.next_in = static_cast<Bytef*>(plain.getRawBufferData());
+    z.avail_in = static_cast<uInt>(plain.getTotalBytesCount());
+    z.next_out = reinterpret_cast<Bytef*>(packed.data());
+    z.avail_out = static_cast<uInt>(packed.size());
+    deflate(&z, Z_FINISH);
+    packed.resize(z.total_out);
+    deflateEnd(&z);
+    return packed;
+}
+
 }  // namespace
 
 void export_map(const COccupancyGridMap2D& grid, const fs::path& directory) {
     write_file(directory / "map.pgm", pgm_of(grid));
     write_file(directory / "map.yaml", yaml_of(grid));
-    const fs::path gridmap = directory / "map.gridmap.gz";
-    try {
-        mrpt::io::CFileGZOutputStream out;
-        if (!out.open(gridmap.string())) throw std::runtime_error("cannot open");
-        auto archive = mrpt::serialization::archiveFrom(out);
-        archive << grid;
-    } catch (const std::exception& e) {
-        throw std::runtime_error("cannot write '" + gridmap.string() + "': disk full or no permission");
-    }
+    write_file(directory / "map.gridmap.gz", gridmap_of(grid));
 }
 
 }  // namespace flownav

@@ -1,6 +1,5 @@
 #include "flownav/replay/outputs.h"
 
-#include <mrpt/serialization/CArchive.h>
 
 #include <system_error>
 
@@ -29,10 +28,6 @@ std::filesystem::path prepared(std::filesystem::path folder) {
 void write_map(const mrpt::maps::COccupancyGridMap2D& grid, const std::filesystem::path& folder) {
     try {
         export_map(grid, folder);
-        // Once more, checked: MRPT's own gz stream swallows the errors of its last bytes.
-        GzOutputFile file(folder / "map.gridmap.gz");
-        mrpt::serialization::archiveFrom(file) << grid;
-        file.close();
     } catch (const std::exception& error) {
         throw OutputError(error.what());
     }
