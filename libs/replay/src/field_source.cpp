@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "camera_image.h"
 #include "flownav/sensor/camera_conversion.h"
 #include "grey_image.h"
 
@@ -64,10 +65,10 @@ void FieldSource::consume(const CObservation::Ptr& observation) {
     const std::string& label = observation->sensorLabel;
     const std::string class_name = observation->GetRuntimeClass()->className;
     ++counts_.observations[class_name.substr(class_name.rfind(':') + 1) + " " + label];
-    const auto image = std::dynamic_pointer_cast<CObservationImage>(observation);
+    const auto image = label == camera_.camera_label ? camera_image(observation) : nullptr;
     const auto odometry = std::dynamic_pointer_cast<CObservationOdometry>(observation);
     const auto truth = std::dynamic_pointer_cast<CObservationRobotPose>(observation);
-    if (image && label == camera_.camera_label) {
+    if (image) {
         consume_image(image);
     } else if (odometry && label == "ODOMETRY") {
         consume_pose(sample_of(*odometry), "odometry_");

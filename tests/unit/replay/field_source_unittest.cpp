@@ -1,6 +1,7 @@
 #include "flownav/replay/field_source.h"
 
 #include <gtest/gtest.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/system/datetime.h>
 
 #include <cmath>
@@ -331,6 +332,24 @@ TEST(FieldSource, CalibrationOfAnotherImageSizeIsAWarning) {
     auto image = image_at(1);
     image->cameraParams.ncols = 640;
     EXPECT_EQ(read({image}).counts.warnings.at("calibration_of_another_size"), 1U);
+}
+
+TEST(FieldSource, IntensityImageOfADepthCameraIsAnImage) {
+    auto depth = mrpt::obs::CObservation3DRangeScan::Create();
+    depth->timestamp = mrpt::Clock::fromDouble(1.0);
+    depth->sensorLabel = "CAMERA1";
+    depth->sensorPose = mrpt::poses::CPose3D(0.2, 0, 0.7, 0, 15 * deg, 0);
+    depth->hasIntensityImage = true;
+    depth->intensityImage = image_at(1)->image;
+    depth->cameraParamsIntensity = image_at(1)->cameraParams;
+    const auto result = read({depth});
+    ASSERT_EQ(result.fields.size(), 1U);
+    const CameraModel& camera = result.fields[0].camera;
+    EXPECT_DOUBLE_EQ(camera.fx_px, 60);
+    EXPECT_NEAR(camera.mount.pitch_rad, 15 * deg, 1e-9);
+    EXPECT_NEAR(camera.mount.height_m, 0.7, 1e-9);
+    depth->hasIntensityImage = false;
+    EXPECT_EQ(read({depth}).counts.ignored, 1U);
 }
 
 TEST(FieldSource, OtherLabelsAreIgnoredAndListed) {

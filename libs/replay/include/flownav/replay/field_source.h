@@ -42,10 +42,11 @@ struct InputCounts {
 };
 
 /// Turns the observations of a rawlog into fields and poses: applies the calibration (ini over recording),
-/// converts colour to grey, splits woven frames, rejects what cannot be used and counts why:
-/// time_invalid, time_repeated, time_backwards, image_missing (external file), image_unreadable, image_empty,
-/// image_not_8bit; for poses odometry_... and ground_truth_... time_invalid, time_repeated, time_backwards
-/// and not_finite. Fields of unaltered grey images are views of the recording; nothing is copied.
+/// converts colour to grey (also the intensity image of a CObservation3DRangeScan of the camera's label),
+/// splits woven frames, rejects what cannot be used and counts why: time_invalid, time_repeated,
+/// time_backwards, image_missing (external file), image_unreadable, image_empty, image_not_8bit; for poses
+/// odometry_... and ground_truth_... time_invalid, time_repeated, time_backwards and not_finite. Fields of
+/// unaltered grey images are views of the recording; nothing is copied.
 class FieldSource {
   public:
     FieldSource(RawlogReader& reader, const CameraConfig& camera);
