@@ -63,9 +63,10 @@ TEST(PlaneGeometry, FieldEIsTheFlowOfDrivingForwardTimesDepth) {
 
 TEST(PlaneGeometry, FieldEKnowsTheSwingToTheLeft) {
     const CameraModel camera = unit_camera();
-    for (const Vector2d& at : places)
+    for (const Vector2d& at : places) {
         expect_near(flow_of_robot(camera, {0, 1, 0}, at, 2.0),
                     PlaneGeometry(camera.mount).e(at, {0, 1}) / 2.0);
+    }
 }
 
 TEST(PlaneGeometry, FieldHIsTheFlowOfTurningLeftAtAnyDepth) {
@@ -91,9 +92,10 @@ TEST(PlaneGeometry, FieldPIsTheFlowOfRaisingTheView) {
     CameraModel lowered = camera;
     raised.mount.pitch_rad -= step;
     lowered.mount.pitch_rad += step;
-    for (const Vector2d& at : places)
+    for (const Vector2d& at : places) {
         expect_near(derivative({lowered, {}, 0}, {raised, {}, 0}, point_at(camera, at, 2.0)),
                     PlaneGeometry::p(at));
+    }
 }
 
 TEST(PlaneGeometry, DrivingForwardMovesTheFloorDownAndOutward) {
