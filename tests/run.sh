@@ -30,6 +30,8 @@ else
     echo "No test data at $data: tests that need it are skipped."
 fi
 cd "$root"
+# What was compiled in one checkout serves every other.
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
 jobs=$(nproc)
 summary=()
 failed=0
