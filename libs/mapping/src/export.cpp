@@ -19,6 +19,8 @@ namespace fs = std::filesystem;
 
 constexpr double occupied_threshold = 0.65;
 constexpr double free_threshold = 0.35;
+// Grey 205 means an occupancy of 0.1961: a reader must not take the unknown for free.
+constexpr double free_threshold_of_file = 0.196;
 
 void write_file(const fs::path& file, const std::string& content) {
     errno = 0;
@@ -49,7 +51,7 @@ std::string yaml_of(const COccupancyGridMap2D& grid) {
     yaml.imbue(std::locale::classic());
     yaml << "image: map.pgm\nresolution: " << grid.getResolution() << "\norigin: [" << grid.getXMin() << ", "
          << grid.getYMin() << ", 0.0]\nnegate: 0\noccupied_thresh: " << occupied_threshold
-         << "\nfree_thresh: " << free_threshold << "\n";
+         << "\nfree_thresh: " << free_threshold_of_file << "\n";
     return yaml.str();
 }
 

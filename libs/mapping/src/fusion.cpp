@@ -10,7 +10,7 @@ using Eigen::Vector2d;
 using mrpt::maps::COccupancyGridMap2D;
 
 // MRPT's cells speak of the probability of being FREE.
-constexpr double seen_obstacle = 0.35;  // by a point that is surely in its cell; two cycles make it occupied
+constexpr double seen_obstacle = 0.36;  // by a point that is surely in its cell; two cycles make it occupied
 constexpr double seen_floor = 0.57;  // weaker: a block of floor before a thin leg says little about the leg
 constexpr double margin_m = 2.0;     // by which a growing grid grows ahead
 constexpr double extent_max_m = 2000.0;  // of a drive's map: a broken odometry must not eat the memory
@@ -63,11 +63,13 @@ void fuse(COccupancyGridMap2D& grid, const ObstacleSet& set, const Pose2& T_grid
 
 /// Grows the grid so that it holds everything the set saw.
 void make_room(COccupancyGridMap2D& grid, const ObstacleSet& set) {
-    Vector2d low(set.T_map_robot.x_m, set.T_map_robot.y_m);
+    const auto bounded = [](const Vector2d& p) -> Vector2d {
+        return p.cwiseMax(-extent_max_m / 2).cwiseMin(extent_max_m / 2);
+    };
+    Vector2d low = bounded({set.T_map_robot.x_m, set.T_map_robot.y_m});
     Vector2d high = low;
     const auto include = [&](const Vector2d& p_robot) {
-        const Vector2d p =
-            transform(set.T_map_robot, p_robot).cwiseMax(-extent_max_m / 2).cwiseMin(extent_max_m / 2);
+        const Vector2d p = bounded(transform(set.T_map_robot, p_robot));
         low = low.cwiseMin(p);
         high = high.cwiseMax(p);
     };

@@ -42,6 +42,10 @@ void begin_cycle(Impl& s) {
     s.cycle.clear();
     s.has_reference = true;
     s.T_start_reference = s.step.T_start_robot;
+}
+
+/// The first comparison of a cycle: what the last cycle measured is over.
+void forget_last_cycle(Impl& s) {
     for (BlockRecord& block : s.step.blocks) block.image_of_cycle = 0;
 }
 
@@ -187,6 +191,7 @@ const Step& step(State& state, const Field& field) {
         restart(s, new_camera);
         return s.step;
     }
+    if (s.cycle.empty()) forget_last_cycle(s);
     s.step.image_of_cycle = static_cast<int>(s.cycle.size()) + 1;
 
     const MotionPrediction prediction = predict(s, since_last_s);

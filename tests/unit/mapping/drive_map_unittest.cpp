@@ -100,5 +100,14 @@ TEST(DriveMap, TakesItsResolutionFromTheParameters) {
     EXPECT_NEAR(DriveMap(params).grid().getResolution(), 0.05, 1e-6);
 }
 
+TEST(DriveMap, ABrokenOdometryDoesNotEatTheMemory) {
+    MapParams coarse;
+    coarse.resolution_m = 2.0;
+    DriveMap map(coarse);
+    map.insert(set_seeing(1e7, 1.0, {1e7, -1e7, 0.0}));
+    EXPECT_LT(map.grid().getXMax(), 1100.0);
+    EXPECT_GT(map.grid().getYMin(), -1100.0);
+}
+
 }  // namespace
 }  // namespace flownav

@@ -62,6 +62,7 @@ TEST(ExportMap, MrptReadsItBackAsARosMap) {
     EXPECT_EQ(testing::occupied_cells(read), testing::occupied_cells(grid));
     EXPECT_GT(occupancy(read, 1.25, 0.45), 0.65);
     EXPECT_LT(occupancy(read, 1.05, -0.65), 0.35);
+    EXPECT_NEAR(occupancy(read, -1.0, 1.0), 0.5, 0.01);  // never seen: unknown, not free
 }
 
 TEST(ExportMap, GridmapIsTheGridItself) {
