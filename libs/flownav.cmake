@@ -52,11 +52,13 @@ function(flownav_app)
     set_property(GLOBAL APPEND PROPERTY FLOWNAV_APPS ${APP_NAME})
 endfunction()
 
-# flownav_test(NAME flow LABEL unit SOURCES a_unittest.cpp ... LINKS target ...) makes one GoogleTest program.
+# flownav_test(NAME flow LABEL unit SOURCES a_unittest.cpp ... LINKS target ...) makes one GoogleTest program. Its files
+# below ::testing::TempDir() lie in the build folder, where no other run meets them.
 function(flownav_test)
     cmake_parse_arguments(TEST "" "NAME;LABEL" "SOURCES;LINKS" ${ARGN})
     add_executable(${TEST_LABEL}_${TEST_NAME} ${TEST_SOURCES})
     target_link_libraries(${TEST_LABEL}_${TEST_NAME} PRIVATE ${TEST_LINKS} GTest::gtest_main flownav_options)
     gtest_discover_tests(${TEST_LABEL}_${TEST_NAME} DISCOVERY_TIMEOUT 60
-                         PROPERTIES LABELS ${TEST_LABEL} TIMEOUT 600)
+                         PROPERTIES LABELS ${TEST_LABEL} TIMEOUT 600 ENVIRONMENT TEST_TMPDIR=${PROJECT_BINARY_DIR}/tmp)
+    file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/tmp)
 endfunction()
