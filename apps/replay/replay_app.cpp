@@ -92,6 +92,11 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
         status = output.failed() ? usage_status : 0;
         return std::nullopt;
     }
+    if (input.getValue().rfind('-', 0) == 0) {  // TCLAP takes an unknown option for the input
+        output.fail("unknown argument " + input.getValue());
+        status = usage_status;
+        return std::nullopt;
+    }
     if (!input.isSet() || !folder.isSet()) {
         output.fail("needs INPUT.rawlog and --output DIR");
         status = usage_status;

@@ -178,8 +178,8 @@ class Run {
 
     std::string outcome() const {
         const std::uint64_t ok = status_counts(drive_.rows).front();
-        return std::to_string(drive_.rows.size()) + " fields (" + std::to_string(ok) + " ok), " +
-               std::to_string(drive_.written.cycles) + " cycles, " +
+        return std::to_string(drive_.rows.size()) + (drive_.rows.size() == 1 ? " field (" : " fields (") +
+               std::to_string(ok) + " ok), " + std::to_string(drive_.written.cycles) + " cycles, " +
                std::to_string(drive_.written.obstacle_points) + " obstacle points; see " +
                (options_.output / "report.html").string();
     }
