@@ -70,9 +70,8 @@ void require_usable_mount(const CameraMount& m) {
     require_range("camera.roll_deg", m.roll_rad / deg, -10, 10,
                   "a camera tilted sideways this far is not compensated. Correct the recorded cameraPose or "
                   "set camera.roll_deg");
-    require_range(
-        "yaw of the recorded cameraPose in degrees", m.yaw_rad / deg, -10, 10,
-        "the camera has to look ahead. Correct the recorded cameraPose (rawlog-edit --sensors-pose)");
+    require_range("camera.yaw_deg", m.yaw_rad / deg, -10, 10,
+                  "the camera has to look ahead. Correct the recorded cameraPose or set camera.yaw_deg");
 }
 
 std::string missing_keys(const Recorded& r, const CameraConfig& c) {
@@ -97,6 +96,7 @@ CameraMount merged_mount(const Recorded& r, const CameraConfig& c) {
     mount.left_m = c.left_m.value_or(mount.left_m);
     if (c.pitch_deg) mount.pitch_rad = *c.pitch_deg * deg;
     if (c.roll_deg) mount.roll_rad = *c.roll_deg * deg;
+    if (c.yaw_deg) mount.yaw_rad = *c.yaw_deg * deg;
     return mount;
 }
 

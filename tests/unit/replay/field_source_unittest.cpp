@@ -109,6 +109,7 @@ TEST(FieldSource, IniOverridesTheRecording) {
     config.height_m = 0.8;
     config.pitch_deg = 25;
     config.roll_deg = -2;
+    config.yaw_deg = 1.5;
     config.forward_m = 0.3;
     config.distortion = std::array<double, 5>{0.1, 0, 0, 0, 0};
     const CameraModel camera = read({image_at(1)}, config).fields.at(0).camera;
@@ -118,6 +119,7 @@ TEST(FieldSource, IniOverridesTheRecording) {
     EXPECT_DOUBLE_EQ(camera.mount.height_m, 0.8);
     EXPECT_NEAR(camera.mount.pitch_rad, 25 * deg, 1e-12);
     EXPECT_NEAR(camera.mount.roll_rad, -2 * deg, 1e-12);
+    EXPECT_NEAR(camera.mount.yaw_rad, 1.5 * deg, 1e-12);
     EXPECT_DOUBLE_EQ(camera.mount.forward_m, 0.3);
     EXPECT_NEAR(camera.mount.left_m, 0.02, 1e-12);
     EXPECT_DOUBLE_EQ(camera.distortion[0], 0.1);

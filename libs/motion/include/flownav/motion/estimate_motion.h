@@ -43,7 +43,7 @@ struct MotionEstimate {
 
 /// Rotation and forward travel of the robot between the reference and the newer field, from vectors anywhere
 /// in the image. What cannot be measured is taken from the prediction and flagged. Throws nothing, and
-/// allocates only when the scratch has to grow. About 30 us for 350 vectors.
+/// allocates only when the scratch has to grow.
 MotionEstimate estimate_motion(const std::vector<MotionSample>& samples, const CameraModel& camera,
                                const MotionPrediction& prediction, const MotionParams& params,
                                MotionScratch& scratch);

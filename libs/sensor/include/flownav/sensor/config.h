@@ -12,13 +12,14 @@ namespace flownav {
 
 enum class Interlaced { None, TopFirst, BottomFirst };
 
-/// What the ini says about the camera. An empty optional ("recorded" in the ini) means: as the recording has it.
+/// What the ini says about the camera. An empty optional ("recorded" in the ini) means: as the recording has
+/// it.
 struct CameraConfig {
     std::string camera_label = "CAMERA1";
     Interlaced interlaced = Interlaced::None;
-    std::optional<double> height_m, pitch_deg, roll_deg, forward_m, left_m;
-    std::optional<double> fx_px, fy_px, cx_px, cy_px;   ///< of the image as recorded (a whole frame if woven)
-    std::optional<std::array<double, 5>> distortion;    ///< k1 k2 p1 p2 k3
+    std::optional<double> height_m, pitch_deg, roll_deg, yaw_deg, forward_m, left_m;
+    std::optional<double> fx_px, fy_px, cx_px, cy_px;  ///< of the image as recorded (a whole frame if woven)
+    std::optional<std::array<double, 5>> distortion;   ///< k1 k2 p1 p2 k3
 };
 
 /// Everything the ini can set.
