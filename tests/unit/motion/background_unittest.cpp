@@ -43,8 +43,8 @@ TEST(Background, IsNeverAHandfulOfOutliersHoweverFarApart) {
 }
 
 TEST(Background, WithoutAnyClusterIsTheShorthOfAll) {
-    std::vector<OmegaSample> samples;
-    for (int i = 0; i < 20; ++i) samples.push_back({0.01 * i, Vector2d(0.0, 0.0)});
+    std::vector<OmegaSample> samples(20, {0.0, Vector2d(0.0, 0.0)});
+    for (int i = 0; i < 20; ++i) samples[i].omega_rad = 0.01 * i;
     EXPECT_NEAR(background_of(samples), 0.05, 0.05);
 }
 
