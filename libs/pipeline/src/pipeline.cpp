@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 using Impl = State::Impl;
 
 constexpr int confident_min = 16;          // vectors; with fewer there is no texture to speak of
-constexpr double inlier_share_min = 0.3;   // of the confident vectors; below the motion is lost
+constexpr double inlier_share_min = 0.5;   // of the confident vectors; below the motion is lost
 constexpr double supported_share = 0.25;   // of the placed blocks; below a search may find something better
 constexpr std::size_t coarse_step = 3;     // the search looks at every third block
 constexpr double speed_drift_per_s = 0.3;  // relative; how fast a speed that is carried over loses its worth
