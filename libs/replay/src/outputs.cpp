@@ -1,6 +1,5 @@
 #include "flownav/replay/outputs.h"
 
-
 #include <system_error>
 
 #include "flownav/mapping/export.h"

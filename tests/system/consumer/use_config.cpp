@@ -1,7 +1,7 @@
-#include <cstdio>
-
 #include <flownav/replay/rawlog_reader.h>
 #include <flownav/sensor/config.h>
+
+#include <cstdio>
 
 int main(int argc, char** argv) {
     flownav::Config config;

@@ -1,9 +1,9 @@
+#include <flownav/core/version.h>
+#include <flownav/pipeline/pipeline.h>
+
 #include <cstdint>
 #include <cstdio>
 #include <vector>
-
-#include <flownav/core/version.h>
-#include <flownav/pipeline/pipeline.h>
 
 int main() {
     flownav::Field field;
