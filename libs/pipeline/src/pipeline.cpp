@@ -25,6 +25,11 @@ double seconds_since_reference(const Impl& s) {
     return s.newest.field.timestamp_s - s.reference.field.timestamp_s;
 }
 
+/// When the last field came that could be compared: a bad field in between measured nothing.
+double last_picture_s(const Impl& s) {
+    return (s.cycle.empty() ? s.reference : s.newest).field.timestamp_s;
+}
+
 MotionPrediction predict(const Impl& s, double since_last_s) {
     MotionPrediction p;
     p.omega_rad = s.rates.omega_radps * since_last_s;
@@ -178,13 +183,14 @@ State& State::operator=(State&&) noexcept = default;
 
 const Step& step(State& state, const Field& field) {
     Impl& s = state.impl();
-    const double since_last_s = s.has_reference ? field.timestamp_s - s.step.timestamp_s : 0.0;
+    const double since_field_s = s.has_reference ? field.timestamp_s - s.step.timestamp_s : 0.0;
     clear_outputs(s.step);
     s.step.timestamp_s = field.timestamp_s;
     if (!is_picture(field.image)) {
-        carry_over(s, since_last_s);
+        carry_over(s, since_field_s);
         return s.step;
     }
+    const double since_last_s = s.has_reference ? field.timestamp_s - last_picture_s(s) : 0.0;
     s.newest = {field, RayMapper(field.camera)};
     const bool new_camera = !s.has_reference || !same_geometry(s.reference.field.camera, field.camera);
     if (new_camera || since_last_s > s.params.rate.gap_max_s) {

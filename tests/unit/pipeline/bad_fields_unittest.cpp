@@ -54,6 +54,17 @@ TEST(BadField, TheRatesCarryTheOdometryOn) {
     EXPECT_NEAR(steps[bad].T_start_robot.x_m, 3 * 0.016, 0.004);
 }
 
+TEST(BadField, RatesAfterItSpeakOfTheWholeTimeSinceTheLastPicture) {
+    testing::DriveOptions options;
+    options.images = 6;
+    options.omega_degps = 15.0;
+    options.camera = testing::standard_camera(320, 240);
+    std::vector<Field> fields = render_fields(testing::drive(options));
+    fields[bad] = grey_field(fields[bad], 0, 0.0);
+    const auto steps = testing::run(fields, cycles_of(5));
+    EXPECT_NEAR(testing::to_deg(steps[bad + 1].omega_radps), 15.0, 1.0);
+}
+
 TEST(BadField, AtTheStartNothingIsKnownYet) {
     std::vector<Field> fields = fields_with(0);
     fields.insert(fields.begin(), grey_field(fields.front(), 0, -0.04));
