@@ -15,7 +15,9 @@ Vector2d direction_of(const Vector2d& travel) {
     return length > 1e-6 ? Vector2d(travel / length) : Vector2d(1.0, 0.0);
 }
 
-EgoMotion from_prediction(const MotionPrediction& prediction) {
+}  // namespace
+
+EgoMotion unmeasured_motion(const MotionPrediction& prediction) {
     EgoMotion m;
     m.omega_rad = prediction.omega_rad;
     m.pitch_rad = prediction.pitch_rad;
@@ -23,20 +25,18 @@ EgoMotion from_prediction(const MotionPrediction& prediction) {
     return m;
 }
 
-}  // namespace
-
 MotionEstimate estimate_motion(const std::vector<MotionSample>& samples, const CameraModel& camera,
                                const MotionPrediction& prediction, const MotionParams& params,
                                MotionScratch& scratch) {
     MotionEstimate estimate;
     EgoMotion& m = estimate.motion;
-    m = from_prediction(prediction);
+    m = unmeasured_motion(prediction);
     if (samples.empty()) return estimate;
     for (int round = 0; round < travel_rounds; ++round) {
         const Vector2d direction = direction_of(camera_travel(camera.mount, m.forward_m, m.omega_rad));
         const Rotation r = fit_rotation(samples, camera, direction, params, scratch);
         const Travel t = fit_travel(samples, camera, direction, r, params.lambda_px, scratch);
-        m = from_prediction(prediction);
+        m = unmeasured_motion(prediction);
         m.omega_rad = r.omega_rad;
         m.pitch_rad = r.pitch_rad;
         m.sigma_omega_rad = r.sigma_omega_rad;

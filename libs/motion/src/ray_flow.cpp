@@ -12,10 +12,6 @@ RayFlow ray_flow(const FlowVector& vector, const RayMapper& reference, const Ray
             vector.sigma_px.cwiseProduct(one_pixel(reference.camera()))};
 }
 
-Vector2d camera_travel(const CameraMount& mount, double forward_m, double omega_rad) {
-    return {forward_m - omega_rad * mount.left_m, omega_rad * mount.forward_m};
-}
-
 Vector2d predicted_ground_flow(const PlaneGeometry& plane, const CameraMount& mount, const Vector2d& at,
                                const MotionPrediction& motion) {
     const Vector2d travel = camera_travel(mount, motion.forward_m, motion.omega_rad);

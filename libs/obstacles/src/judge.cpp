@@ -18,8 +18,7 @@ constexpr double significance = 3.0;  // deviations by which an obstacle must st
 Judgement judge(const RayFlow& ray, const CameraModel& camera, const EgoMotion& motion, double noise_factor,
                 const ObstacleParams& params) {
     const PlaneGeometry plane(camera.mount);
-    const Vector2d travel(motion.forward_m - motion.omega_rad * camera.mount.left_m,
-                          motion.omega_rad * camera.mount.forward_m);
+    const Vector2d travel = camera_travel(camera.mount, motion.forward_m, motion.omega_rad);
     const Vector2d e = plane.e(ray.at, travel);  // in metres: S e of Eq. (3)
     Judgement j;
     const double length = e.norm();

@@ -116,13 +116,7 @@ void accept_motion(Impl& s, const MotionPrediction& prediction, double since_las
     Step& out = s.step;
     const EgoMotion& measured = s.measured.estimate.motion;
     out.status = status_of(s.measured);
-    out.motion = measured;
-    if (out.status != FieldStatus::Ok) {
-        out.motion = EgoMotion{};
-        out.motion.omega_rad = prediction.omega_rad;
-        out.motion.pitch_rad = prediction.pitch_rad;
-        out.motion.forward_m = prediction.forward_m;
-    }
+    out.motion = out.status == FieldStatus::Ok ? measured : unmeasured_motion(prediction);
     if (out.motion.forward_measured) {
         s.rates.sigma_v_relative =
             out.motion.sigma_forward_m / std::max(std::abs(out.motion.forward_m), 1e-6);

@@ -2,37 +2,17 @@
 
 #include <mrpt/core/Clock.h>
 #include <mrpt/math/TPose2D.h>
-#include <mrpt/math/TPose3D.h>
 #include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/serialization/CArchive.h>
 
 #include <opencv2/core/mat.hpp>
 
+#include "flownav/sensor/camera_conversion.h"
 #include "flownav/sensor/observations.h"
 
 namespace flownav {
-
 namespace {
-
-/// Turns MRPT's robot axes (x forward, y left, z up) into a camera's (x right, y down, z forward).
-constexpr double camera_axes_rad = -M_PI / 2;
-
-mrpt::poses::CPose3D camera_pose(const CameraMount& mount) {
-    const mrpt::poses::CPose3D on_robot(mount.forward_m, mount.left_m, mount.height_m, mount.yaw_rad,
-                                        mount.pitch_rad, mount.roll_rad);
-    return on_robot + mrpt::poses::CPose3D(0, 0, 0, camera_axes_rad, 0, camera_axes_rad);
-}
-
-mrpt::img::TCamera intrinsics(const CameraModel& camera) {
-    mrpt::img::TCamera result;
-    result.ncols = static_cast<uint32_t>(camera.width_px);
-    result.nrows = static_cast<uint32_t>(camera.height_px);
-    result.setIntrinsicParamsFromValues(camera.fx_px, camera.fy_px, camera.cx_px, camera.cy_px);
-    const auto& k = camera.distortion;
-    result.setDistortionPlumbBob(k[0], k[1], k[2], k[3], k[4]);
-    return result;
-}
 
 mrpt::img::CImage pixels(const ImageView& view) {
     // OpenCV has no view of constant pixels; the copy below only reads.
@@ -63,7 +43,7 @@ void ResultRawlog::write_image(const Field& field, const std::string& label) {
     image.timestamp = mrpt::Clock::fromDouble(field.timestamp_s);
     image.sensorLabel = label;
     image.cameraPose = camera_pose(field.camera.mount);
-    image.cameraParams = intrinsics(field.camera);
+    image.cameraParams = camera_params(field.camera);
     image.image = pixels(field.image);
     write_object(image);
 }

@@ -12,6 +12,12 @@ inline double cross(const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
     return p.x() * q.y() - p.y() * q.x();
 }
 
+/// Displacement of the CAMERA on the ground, (forward, leftward) in metres, of a robot that moves `forward_m`
+/// and turns by `omega_rad` while the camera sits off its axis.
+inline Eigen::Vector2d camera_travel(const CameraMount& mount, double forward_m, double omega_rad) {
+    return {forward_m - omega_rad * mount.left_m, omega_rad * mount.forward_m};
+}
+
 /// The fields of Eq. (3) on the normalised plane of a level camera of pitch rho, a = cos rho, b = sin rho, H
 /// metres above the ground. Flow is f = (S/Z) e + omega h + pitch p. Everything is evaluated at `at` = (x,
 /// y).
@@ -32,8 +38,8 @@ struct PlaneGeometry {
         return std::max(0.0, below_horizon(at)) / height_m;
     }
 
-    /// Flow direction of a camera that moves by `travel` = (forward, right of it is negative left): the field
-    /// e of Eq. (3) for pure forward travel, plus the part of a sideways swing of a camera off the axis.
+    /// Flow of a camera that moves by `travel` = (forward, leftward), times the depth: the field e of Eq. (3)
+    /// for pure forward travel, plus the part of the sideways swing of a camera off the axis.
     Eigen::Vector2d e(const Eigen::Vector2d& at, const Eigen::Vector2d& travel = {1.0, 0.0}) const {
         return {travel.x() * a * at.x() + travel.y(), travel.x() * below_horizon(at)};
     }

@@ -48,6 +48,9 @@ MotionEstimate estimate_motion(const std::vector<MotionSample>& samples, const C
                                const MotionPrediction& prediction, const MotionParams& params,
                                MotionScratch& scratch);
 
+/// The predicted motion, with nothing in it measured.
+EgoMotion unmeasured_motion(const MotionPrediction& prediction);
+
 /// Eq. (4), with e for a camera that travels along `travel`; meaningless where e and h are parallel.
 double omega_of(const RayFlow& ray, const PlaneGeometry& plane, const Eigen::Vector2d& travel);
 

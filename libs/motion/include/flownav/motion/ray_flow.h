@@ -17,10 +17,6 @@ struct MotionPrediction {
     double forward_m = 0.0;
 };
 
-/// Displacement of the CAMERA on the ground, (forward, leftward swing) in metres, of a robot that moves
-/// `forward_m` and turns by `omega_rad` while the camera sits off its axis.
-Eigen::Vector2d camera_travel(const CameraMount& mount, double forward_m, double omega_rad);
-
 /// Eq. (3) for a point of the ground at `at` in the reference, evaluated at the mid-point of the vector
 /// itself.
 Eigen::Vector2d predicted_ground_flow(const PlaneGeometry& plane, const CameraMount& mount,
