@@ -38,17 +38,6 @@ Vector2d undistort(const Vector2d& distorted, const std::array<double, 5>& k) {
     return p;
 }
 
-/// Rotation from the mounted camera to the camera with the same pitch and neither roll nor yaw.
-Eigen::Matrix3d level_rotation(const CameraMount& m) {
-    using Eigen::AngleAxisd;
-    const AngleAxisd pitch(m.pitch_rad, Vector3d::UnitX());
-    const AngleAxisd yaw(m.yaw_rad, -Vector3d::UnitY());
-    const AngleAxisd roll(m.roll_rad, Vector3d::UnitZ());
-    // Level camera = pitch only; mounted camera = yaw about the vertical, then pitch, then roll about its
-    // axis.
-    return (pitch * yaw * pitch.inverse() * roll).toRotationMatrix();
-}
-
 }  // namespace
 
 RayMapper::RayMapper(const CameraModel& camera)
@@ -69,6 +58,16 @@ Vector2d RayMapper::pixel(const Vector2d& ray) const {
     Vector2d p = rotated_ ? Vector2d((R_level_camera_.transpose() * ray.homogeneous()).hnormalized()) : ray;
     if (distorted_) p = distort(p, camera_.distortion);
     return {camera_.fx_px * p.x() + camera_.cx_px, camera_.fy_px * p.y() + camera_.cy_px};
+}
+
+Eigen::Matrix3d level_rotation(const CameraMount& m) {
+    using Eigen::AngleAxisd;
+    const AngleAxisd pitch(m.pitch_rad, Vector3d::UnitX());
+    const AngleAxisd yaw(m.yaw_rad, -Vector3d::UnitY());
+    const AngleAxisd roll(m.roll_rad, Vector3d::UnitZ());
+    // Level camera = pitch only; mounted camera = yaw about the vertical, then pitch, then roll about its
+    // axis.
+    return (pitch * yaw * pitch.inverse() * roll).toRotationMatrix();
 }
 
 bool same_geometry(const CameraModel& a, const CameraModel& b) {

@@ -51,6 +51,10 @@ class RayMapper {
     bool rotated_ = false;
 };
 
+/// Rotation from the mounted camera's axes to those of the level camera, which has the same pitch and neither
+/// roll nor yaw.
+Eigen::Matrix3d level_rotation(const CameraMount& mount);
+
 /// True when two images can share a block layout: same size, optics and mount; cy may differ by the half line
 /// of a field's parity.
 bool same_geometry(const CameraModel& a, const CameraModel& b);

@@ -1,0 +1,30 @@
+#pragma once
+#include <Eigen/Core>
+
+#include "flownav/core/camera_model.h"
+#include "flownav/core/ego_motion.h"
+#include "flownav/motion/pose_error.h"
+
+namespace flownav {
+
+/// Motion between two fields as its flow shows it: turn, pitch and roll in radians, and travel over height.
+struct PairMotion {
+    static constexpr int size = 4;
+    Eigen::Vector4d values = Eigen::Vector4d::Zero();
+
+    PairMotion() = default;
+    PairMotion(const EgoMotion& motion, double height_m)
+        : values(motion.omega_rad, motion.pitch_rad, 0.0, motion.forward_m / height_m) {}
+
+    double omega_rad() const { return values[0]; }
+    double pitch_rad() const { return values[1]; }
+    double roll_rad() const { return values[2]; }
+    double heights() const { return values[3]; }
+};
+
+/// Where a ray of the reference that meets the ground is in the newer field, both in the level coordinates
+/// that `mount` gives them, while the true angles of the camera are mount + error. Exact for finite motion.
+Eigen::Matrix3d ground_homography(const CameraMount& mount, const MountAngles& error,
+                                  const PairMotion& motion);
+
+}  // namespace flownav

@@ -1,0 +1,109 @@
+#include "flownav/motion/pose_error.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "exact_samples.h"
+#include "flownav/testing/camera.h"
+#include "flownav/testing/scene.h"
+
+namespace flownav {
+namespace {
+
+using testing::degree;
+using testing::Pair;
+
+constexpr int cycle = 4;
+
+/// The rays of a pair as somebody sees them who takes the camera to have another mount.
+std::vector<RayFlow> rays_of(const Pair& pair, const std::vector<FlowVector>& vectors,
+                             const CameraMount& assumed) {
+    CameraModel from = pair.from.camera;
+    CameraModel to = pair.to.camera;
+    from.mount = to.mount = assumed;
+    std::vector<RayFlow> rays;
+    for (const FlowVector& v : vectors)
+        rays.push_back(ray_flow(v, RayMapper(from), RayMapper(to), Geometry::MidPoint));
+    return rays;
+}
+
+PairFit fit(const Pair& pair, const std::vector<FlowVector>& vectors, const CameraMount& assumed) {
+    CameraModel camera = pair.from.camera;
+    camera.mount = assumed;
+    PoseScratch scratch;
+    EgoMotion rough;
+    rough.omega_rad = 0.9 * pair.truth.omega_rad;
+    rough.forward_m = 0.9 * pair.truth.forward_m;
+    return fit_pair(rays_of(pair, vectors, assumed), camera, rough, Geometry::MidPoint, scratch);
+}
+
+/// Gauss-Newton steps on one pair, from an assumed mount.
+CameraMount refined(const Pair& pair, const std::vector<FlowVector>& vectors, CameraMount assumed) {
+    for (int i = 0; i < 6; ++i)
+        assumed = corrected(assumed, solve(fit(pair, vectors, assumed).equations).correction_rad);
+    return assumed;
+}
+
+CameraModel camera_with(double pitch_deg, double roll_deg, double yaw_deg) {
+    CameraModel camera = testing::standard_camera();
+    camera.mount.pitch_rad += pitch_deg * degree;
+    camera.mount.roll_rad += roll_deg * degree;
+    camera.mount.yaw_rad += yaw_deg * degree;
+    return camera;
+}
+
+/// The truth lies one axis off what is assumed.
+MountAngles correction_found(double pitch_deg, double roll_deg, double yaw_deg, double omega_degps = 8.0) {
+    const Pair pair = testing::drive(camera_with(pitch_deg, roll_deg, yaw_deg), 0.4, omega_degps, cycle);
+    const CameraMount found = refined(pair, testing::exact_vectors(pair), testing::standard_camera().mount);
+    const CameraMount& start = testing::standard_camera().mount;
+    return MountAngles(found.pitch_rad - start.pitch_rad, found.roll_rad - start.roll_rad,
+                       found.yaw_rad - start.yaw_rad) /
+           degree;
+}
+
+TEST(PoseError, ACameraThatLooksFartherDownThanAssumedHasAPositivePitchError) {
+    const MountAngles found = correction_found(1.0, 0.0, 0.0);
+    EXPECT_NEAR(found[0], 1.0, 0.005);
+    EXPECT_NEAR(found[1], 0.0, 0.005);
+    EXPECT_NEAR(found[2], 0.0, 0.01);
+}
+
+TEST(PoseError, ACameraThatIsTiltedToItsRightHasAPositiveRollError) {
+    const MountAngles found = correction_found(0.0, 2.0, 0.0);
+    EXPECT_NEAR(found[0], 0.0, 0.005);
+    EXPECT_NEAR(found[1], 2.0, 0.005);
+    EXPECT_NEAR(found[2], 0.0, 0.01);
+}
+
+TEST(PoseError, ACameraThatLooksToTheLeftHasAPositiveYawError) {
+    const MountAngles found = correction_found(0.0, 0.0, 1.5);
+    EXPECT_NEAR(found[0], 0.0, 0.005);
+    EXPECT_NEAR(found[1], 0.0, 0.005);
+    EXPECT_NEAR(found[2], 1.5, 0.01);
+}
+
+TEST(PoseError, AllAnglesAreFoundTogetherFromFarOff) {
+    const MountAngles found = correction_found(-6.0, 3.0, -2.0);
+    EXPECT_NEAR(found[0], -6.0, 0.005);
+    EXPECT_NEAR(found[1], 3.0, 0.005);
+    EXPECT_NEAR(found[2], -2.0, 0.01);
+}
+
+TEST(PoseError, TheModelIsExactForFiniteMotionAndACameraOffTheAxis) {
+    CameraModel camera = camera_with(0.0, 1.0, -0.5);
+    camera.mount.forward_m = 0.3;
+    camera.mount.left_m = -0.1;
+    Pair pair = testing::drive(camera, 0.5, 30.0, cycle);
+    pair.to.camera.mount.pitch_rad -= 0.1 * degree;
+    const PairFit found = fit(pair, testing::exact_vectors(pair), pair.from.camera.mount);
+    const RayMapper from(pair.from.camera);
+    for (const FlowVector& v : testing::exact_vectors(pair)) {
+        const Eigen::Vector2d end = (found.H_newer_reference * from.ray(v.at_px).homogeneous()).hnormalized();
+        EXPECT_LT((from.pixel(end) - v.at_px - v.flow_px).norm(), 0.05);
+    }
+}
+
+}  // namespace
+}  // namespace flownav
