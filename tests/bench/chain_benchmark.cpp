@@ -15,14 +15,14 @@ void Match(benchmark::State& state) {
     params.blocks = static_cast<int>(state.range(0));
     const BlockLayout layout = place_blocks(RayMapper(fields[20].camera), params);
     const std::vector<Eigen::Vector2i> bias_px(layout.size(), Eigen::Vector2i::Zero());
-    const KernelEntry& kernel = select_kernel();
+    MatchSettings settings;
+    settings.threads = static_cast<int>(state.range(1));
     std::vector<FlowVector> vectors;
     while (state.KeepRunning()) {
-        match_blocks(fields[20].image, fields[22].image, layout, bias_px, params.subpixel, kernel,
-                     static_cast<int>(state.range(1)), vectors);
+        match_blocks(fields[20].image, fields[22].image, layout, bias_px, settings, vectors);
         benchmark::DoNotOptimize(vectors.data());
     }
-    state.SetLabel(kernel.name);
+    state.SetLabel(settings.kernel->name);
     state.counters["ns_per_vector"] = benchmark::Counter(
         1e-9 * static_cast<double>(layout.size()) * static_cast<double>(state.iterations()),
         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);

@@ -7,17 +7,30 @@
 namespace flownav {
 namespace {
 
+using GreyBlock = std::array<std::uint8_t, std::size_t{block_px} * block_px>;
+
+/// The block at `corner_px` as the newer image would show it.
+GreyBlock gather(const ImageView& image, const Eigen::Vector2i& corner_px, const GreyTable& greys) {
+    GreyBlock block;
+    for (int v = 0; v < block_px; ++v) {
+        const std::uint8_t* row = image.row(corner_px.y() + v) + corner_px.x();
+        for (int u = 0; u < block_px; ++u) block[v * block_px + u] = greys[row[u]];
+    }
+    return block;
+}
+
 FlowVector match_one(const ImageView& reference, const ImageView& newer, const Eigen::Vector2i& corner_px,
-                     const Eigen::Vector2i& bias_px, Subpixel subpixel, const KernelEntry& kernel) {
+                     const Eigen::Vector2i& bias_px, const MatchSettings& settings, const GreyTable& greys) {
     FlowVector vector;
     vector.at_px = corner_px.cast<double>().array() + (block_px - 1) / 2.0;
     const SearchRange range = clipped_range(corner_px, bias_px, newer);
     if (range.empty()) return vector;
+    const GreyBlock block = gather(reference, corner_px, greys);
     const Eigen::Vector2i window = corner_px + bias_px;
-    const BlockMatch match =
-        kernel.match(reference.row(corner_px.y()) + corner_px.x(), reference.stride_bytes,
-                     newer.data + window.y() * newer.stride_bytes + window.x(), newer.stride_bytes, range);
-    vector.flow_px = bias_px.cast<double>() + refined_offset_px(match, subpixel);
+    const BlockMatch match = settings.kernel->match(block.data(), block_px,
+                                                    newer.data + window.y() * newer.stride_bytes + window.x(),
+                                                    newer.stride_bytes, range);
+    vector.flow_px = bias_px.cast<double>() + refined_offset_px(match, settings.subpixel);
     vector.sigma_px = sigma_px_of(match);
     vector.confidence = confidence_of(match);
     vector.valid = true;
@@ -34,14 +47,14 @@ SearchRange clipped_range(const Eigen::Vector2i& corner_px, const Eigen::Vector2
 }
 
 void match_blocks(const ImageView& reference, const ImageView& newer, const BlockLayout& layout,
-                  const std::vector<Eigen::Vector2i>& bias_px, Subpixel subpixel, const KernelEntry& kernel,
-                  int threads, std::vector<FlowVector>& vectors) {
+                  const std::vector<Eigen::Vector2i>& bias_px, const MatchSettings& settings,
+                  std::vector<FlowVector>& vectors) {
     vectors.resize(layout.size());
+    const GreyTable greys = grey_table(settings.brightness);
     const int n = static_cast<int>(layout.size());
-#pragma omp parallel for num_threads(threads) schedule(static) if (threads > 1)
-    for (int i = 0; i < n; ++i) {
-        vectors[i] = match_one(reference, newer, layout.corner_px[i], bias_px[i], subpixel, kernel);
-    }
+#pragma omp parallel for num_threads(settings.threads) schedule(static) if (settings.threads > 1)
+    for (int i = 0; i < n; ++i)
+        vectors[i] = match_one(reference, newer, layout.corner_px[i], bias_px[i], settings, greys);
 }
 
 }  // namespace flownav

@@ -14,18 +14,16 @@ constexpr double window_step_px = 12.0;  // windows overlap by 4 px
 constexpr int turn_steps = 6;            // to either side
 constexpr int travel_steps = 4;
 
-/// Where each search window is centred: on the flow that the ground would show.
-void set_biases(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
-                const MotionPrediction& prediction, Measurement& m) {
+/// The flow that the ground would show.
+void predict_flow(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
+                  const MotionPrediction& prediction, Measurement& m) {
     const CameraMount& mount = reference.field.camera.mount;
     const PlaneGeometry plane(mount);
     m.predicted_px.resize(layout.size());
-    m.bias_px.resize(layout.size());
     for (std::size_t i = 0; i < layout.size(); ++i) {
         const Vector2d at = reference.mapper.ray(layout.centre_px[i]);
         const Vector2d flow = predicted_ground_flow(plane, mount, at, prediction);
         m.predicted_px[i] = newest.mapper.pixel(at + flow) - layout.centre_px[i];
-        m.bias_px[i] = m.predicted_px[i].array().round().cast<int>();
     }
 }
 
@@ -70,9 +68,8 @@ bool is_confident(const FlowVector& vector, const FlowParams& params) {
 
 void measure(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
              const MotionPrediction& prediction, const MeasureContext& context, Measurement& m) {
-    set_biases(reference, newest, layout, prediction, m);
-    match_blocks(reference.field.image, newest.field.image, layout, m.bias_px, context.params.flow.subpixel,
-                 context.kernel, context.params.threads, m.vectors);
+    predict_flow(reference, newest, layout, prediction, m);
+    context.matcher(reference.field.image, newest.field.image, layout, m.predicted_px, m.vectors);
     collect(reference, newest, layout, context.params, m);
     m.estimate =
         estimate_motion(m.samples, reference.field.camera, prediction, context.params.motion, m.scratch);

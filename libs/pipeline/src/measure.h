@@ -3,8 +3,7 @@
 
 #include "flownav/core/field.h"
 #include "flownav/flow/block_layout.h"
-#include "flownav/flow/kernel.h"
-#include "flownav/flow/match_blocks.h"
+#include "flownav/flow/matcher.h"
 #include "flownav/motion/estimate_motion.h"
 #include "flownav/pipeline/params.h"
 
@@ -20,7 +19,6 @@ struct HeldField {
 /// field to field, so that nothing is allocated.
 struct Measurement {
     std::vector<Eigen::Vector2d> predicted_px;
-    std::vector<Eigen::Vector2i> bias_px;
     std::vector<FlowVector> vectors;
     std::vector<RayFlow> rays;          ///< of the vectors that passed sifting
     std::vector<MotionSample> samples;  ///< the same, without gaps
@@ -32,7 +30,7 @@ struct Measurement {
 /// What a measurement needs to know besides the fields.
 struct MeasureContext {
     const Params& params;
-    const KernelEntry& kernel;
+    const Matcher& matcher;
 };
 
 /// True when a vector is worth using.

@@ -73,7 +73,7 @@ void restart(Impl& s, bool new_camera) {
 
 /// Measures with the predicted motion; where that finds little support, with the best of a wide search.
 void measure_newest(Impl& s, const MotionPrediction& prediction) {
-    const MeasureContext context{s.params, *s.kernel};
+    const MeasureContext context{s.params, s.matcher};
     measure(s.reference, s.newest, s.layout, prediction, context, s.measured);
     if (s.measured.estimate.motion.inliers >= supported_share * s.measured.placed) return;
     const MotionPrediction found = search_motion(s.reference, s.newest, s.coarse_layout, context, s.trial);
@@ -167,9 +167,10 @@ void clear_outputs(Step& out) {
 
 }  // namespace
 
-State::State(const Params& params) : impl_(std::make_unique<Impl>()) {
+State::State(const Params& params) : State(params, BlockMatcher(params.flow, params.threads)) {}
+State::State(const Params& params, Matcher matcher) : impl_(std::make_unique<Impl>()) {
     impl_->params = params;
-    impl_->kernel = &select_kernel();
+    impl_->matcher = std::move(matcher);
 }
 State::~State() = default;
 State::State(State&&) noexcept = default;

@@ -23,7 +23,7 @@ struct Rates {
 
 struct State::Impl {
     Params params;
-    const KernelEntry* kernel = nullptr;
+    Matcher matcher;
 
     // The ring: the reference is frozen for a cycle, the newest is compared with it and follows it; the third
     // field of [P] 4.3 is the one that the caller is filling.

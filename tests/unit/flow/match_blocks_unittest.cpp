@@ -18,8 +18,11 @@ struct Pair {
         std::vector<Eigen::Vector2i>(layout.size(), Eigen::Vector2i::Zero());
 
     std::vector<FlowVector> match(Subpixel subpixel, int threads = 1) const {
+        MatchSettings settings;
+        settings.subpixel = subpixel;
+        settings.threads = threads;
         std::vector<FlowVector> vectors;
-        match_blocks(first.image, second.image, layout, no_bias, subpixel, select_kernel(), threads, vectors);
+        match_blocks(first.image, second.image, layout, no_bias, settings, vectors);
         return vectors;
     }
 
@@ -65,8 +68,7 @@ TEST(MatchBlocks, AWindowOutsideTheImageIsNotMeasured) {
     const Pair pair;
     std::vector<FlowVector> vectors;
     const std::vector<Eigen::Vector2i> far(pair.layout.size(), Eigen::Vector2i(5000, 0));
-    match_blocks(pair.first.image, pair.second.image, pair.layout, far, Subpixel::V, select_kernel(), 1,
-                 vectors);
+    match_blocks(pair.first.image, pair.second.image, pair.layout, far, {}, vectors);
     for (const FlowVector& v : vectors) EXPECT_FALSE(v.valid);
 }
 
@@ -86,8 +88,7 @@ TEST(MatchBlocks, BiasShiftsTheWindow) {
     const Pair pair;
     std::vector<FlowVector> vectors;
     const std::vector<Eigen::Vector2i> bias(pair.layout.size(), Eigen::Vector2i(3, -2));
-    match_blocks(pair.first.image, pair.second.image, pair.layout, bias, Subpixel::V, select_kernel(), 1,
-                 vectors);
+    match_blocks(pair.first.image, pair.second.image, pair.layout, bias, {}, vectors);
     const auto centred = pair.match(Subpixel::V);
     int same = 0;
     for (std::size_t i = 0; i < vectors.size(); ++i)

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "flownav/core/field.h"
+#include "flownav/flow/matcher.h"
 #include "flownav/pipeline/params.h"
 #include "flownav/pipeline/step.h"
 
@@ -12,6 +13,7 @@ namespace flownav::pipeline {
 class State {
   public:
     explicit State(const Params& params);
+    State(const Params& params, Matcher matcher);  ///< with vectors from elsewhere
     ~State();
     State(State&&) noexcept;
     State& operator=(State&&) noexcept;
