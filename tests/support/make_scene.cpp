@@ -1,12 +1,14 @@
 #include <mrpt/3rdparty/tclap/CmdLine.h>
 
 #include <cmath>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "flownav/testing/presets.h"
 #include "flownav/testing/write_scene.h"
 
 namespace {
@@ -33,13 +35,17 @@ class Output : public TCLAP::StdOutput {
 
 struct Arguments {
     Output output_style;
-    std::vector<std::string> floors{"carpet", "tiles", "lino", "plain"};
+    std::vector<std::string> floors{"carpet", "tiles", "lino", "plain", "stoneware", "marbled"};
     TCLAP::ValuesConstraint<std::string> floor_names{floors};
     TCLAP::CmdLine cmd{
         "Renders a synthetic drive with exact truth: BASENAME.rawlog, BASENAME.gt.csv, BASENAME.objects.csv. "
         "Exit status: 0 fine, 1 bad usage, 3 the output cannot be written.",
         ' ', "1"};
-    TCLAP::SwitchArg list{"l", "list", "print the kinds of scenes and stop", cmd};
+    TCLAP::SwitchArg list{"l", "list", "print the kinds of scenes and the presets and stop", cmd};
+    TCLAP::ValueArg<std::string> preset{
+        "p",   "preset", "a named scene instead of KIND; of the other options only --seed and --images count",
+        false, "",       "NAME",
+        cmd};
     TCLAP::ValueArg<int> gz{"", "gz", "gz level of the rawlog, 0 to 9", false, 6, "N", cmd};
     TCLAP::ValueArg<int> grey_step{
         "", "grey-step", "greys are multiples of this: pictures pack better", false, 1, "N", cmd};
@@ -58,7 +64,7 @@ struct Arguments {
         "", "exposure", "standard deviation of the gain from image to image", false, 0.0, "SHARE", cmd};
     TCLAP::ValueArg<double> noise{
         "", "noise", "standard deviation of the pixel noise, grey levels", false, 2.5, "S", cmd};
-    TCLAP::ValueArg<std::string> floor{"",           "floor", "carpet, tiles, lino or plain", false, "carpet",
+    TCLAP::ValueArg<std::string> floor{"",           "floor", "what the floor looks like", false, "carpet",
                                        &floor_names, cmd};
     TCLAP::ValueArg<int> images{"", "images", "number of images", false, 120, "M", cmd};
     TCLAP::ValueArg<std::uint64_t> seed{"", "seed", "same seed, same bytes", false, 1, "N", cmd};
@@ -68,7 +74,16 @@ struct Arguments {
                                                cmd};
 };
 
+SceneOptions preset_options(Arguments& arguments) {
+    const std::string& name = arguments.preset.getValue();
+    auto scene = preset(name, arguments.seed.getValue());
+    if (!scene) throw std::invalid_argument("--preset '" + name + "' is unknown: --list prints them");
+    if (arguments.images.isSet()) scene->images = arguments.images.getValue();
+    return *scene;
+}
+
 SceneOptions scene_options(Arguments& arguments) {
+    if (arguments.preset.isSet()) return preset_options(arguments);
     const std::string& name = arguments.kind.getValue();
     const auto kind = scene_kind(name);
     if (!kind) throw std::invalid_argument("KIND '" + name + "' is unknown: choose one of " + kinds());
@@ -88,6 +103,13 @@ SceneOptions scene_options(Arguments& arguments) {
     scene.effects.gain_sigma = arguments.exposure.getValue();
     scene.effects.pitch_vibration_rad = arguments.vibration.getValue() * M_PI / 180.0;
     return scene;
+}
+
+void print_list() {
+    for (const SceneKind kind : all_scene_kinds) std::cout << to_string(kind) << '\n';
+    std::cout << "\npresets:\n";
+    for (const Preset& p : all_presets())
+        std::cout << std::left << std::setw(16) << p.name << p.meaning << '\n';
 }
 
 int write(const Scene& scene, const std::string& basename, int gz_level) {
@@ -111,7 +133,7 @@ int run(int argc, const char* const* argv) {
     std::vector<const char*> words(argv, argv + argc);
     if (!arguments.cmd.parse(argc, words.data())) return 0;
     if (arguments.list.getValue()) {
-        for (const SceneKind kind : all_scene_kinds) std::cout << to_string(kind) << '\n';
+        print_list();
         return 0;
     }
     if (arguments.output.getValue().empty()) throw std::invalid_argument("--output BASENAME is missing");

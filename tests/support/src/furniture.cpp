@@ -30,6 +30,11 @@ double rounded(double value) {
     return std::round(value * 1e5) / 1e5;
 }
 
+Thing of_kind(Thing thing, ThingKind kind) {
+    for (Primitive& p : thing) p.kind = kind;
+    return thing;
+}
+
 }  // namespace
 
 Thing make_chair(Random& random) {
@@ -41,19 +46,22 @@ Thing make_chair(Random& random) {
     }
     chair.push_back(box({0, 0}, 0.43, 0.47, 0.22, 0.22, Surface::Patterned, 0.8));
     chair.push_back(box({-0.21, 0}, 0.62, 0.92, 0.015, 0.22, Surface::Patterned, 0.8));
-    return chair;
+    return of_kind(chair, ThingKind::Chair);
 }
 
 Thing make_drum(Random& random) {
-    return {cylinder({0, 0}, 0.13, 0.60, Surface::Patterned, random.uniform(0.9, 1.1))};
+    return of_kind({cylinder({0, 0}, 0.13, 0.60, Surface::Patterned, random.uniform(0.9, 1.1))},
+                   ThingKind::Drum);
 }
 
 Thing make_pole(Random& random) {
-    return {cylinder({0, 0}, 0.025, 1.10, Surface::Patterned, random.uniform(0.6, 0.9))};
+    return of_kind({cylinder({0, 0}, 0.025, 1.10, Surface::Patterned, random.uniform(0.6, 0.9))},
+                   ThingKind::Pole);
 }
 
 Thing make_low_box(Random& random) {
-    return {box({0, 0}, 0.0, 0.15, 0.20, 0.15, Surface::Patterned, random.uniform(0.8, 1.0))};
+    return of_kind({box({0, 0}, 0.0, 0.15, 0.20, 0.15, Surface::Patterned, random.uniform(0.8, 1.0))},
+                   ThingKind::LowBox);
 }
 
 Thing make_box(Random& random) {
@@ -62,13 +70,23 @@ Thing make_box(Random& random) {
     return {box({0, 0}, 0.0, height_m, 0.20, 0.20, surface, random.uniform(0.7, 1.1))};
 }
 
+Thing make_rail(double length_m, Random& random) {
+    const double half_m = 0.5 * length_m;
+    Thing rail;
+    for (const double x : {-half_m, 0.0, half_m})
+        rail.push_back(cylinder({x, 0}, 0.02, 0.90, Surface::Patterned, random.uniform(0.6, 0.8)));
+    for (const double z : {0.45, 0.87})
+        rail.push_back(box({0, 0}, z, z + 0.04, half_m, 0.02, Surface::Patterned, random.uniform(0.6, 0.8)));
+    return of_kind(rail, ThingKind::Rail);
+}
+
 Thing make_wall(const Vector2d& from_m, const Vector2d& to_m) {
     const Vector2d along = to_m - from_m;
     const Vector2d middle = 0.5 * (from_m + to_m);
     Thing wall{box(middle, 0.0, 2.5, 0.5 * along.norm(), 0.05, Surface::Wall, 1.0),
                box(middle, 0.0, 0.1, 0.5 * along.norm() + 0.008, 0.058, Surface::Patterned, 0.45)};
     for (Primitive& p : wall) p.yaw_rad = std::atan2(along.y(), along.x());
-    return wall;
+    return of_kind(wall, ThingKind::Wall);
 }
 
 Thing placed(Thing thing, const Vector2d& at_m, double yaw_rad, int object, Random& random) {

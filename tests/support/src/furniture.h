@@ -15,6 +15,9 @@ Thing make_pole(Random& random);
 Thing make_low_box(Random& random);
 Thing make_box(Random& random);
 
+/// A railing along x: three posts and two bars.
+Thing make_rail(double length_m, Random& random);
+
 /// A wall with a dark skirting board, between two points; the room is to its left.
 Thing make_wall(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m);
 

@@ -12,6 +12,9 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double free_beside_path_m = 0.5;
+constexpr int first_rail = 60;  // their object numbers
+constexpr int first_near_box = 70;
+constexpr std::size_t near_box_images = 36;
 constexpr double ahead_m = 3.0;  ///< things stand along this much more than the path itself
 
 /// The path, and straight on from its end.
@@ -59,6 +62,37 @@ Thing make_corridor_thing(int kind, Random& random) {
     return kind % 3 == 1 ? make_pole(random) : make_box(random);
 }
 
+/// Railings along the way, on either side.
+void add_rails(World& world, const std::vector<Pose2>& way) {
+    Random random(mix(world.ground.seed, 17));
+    int object = first_rail;
+    for (const double share : {0.30, 0.62}) {
+        const Pose2& beside = way[static_cast<std::size_t>(share * static_cast<double>(way.size()))];
+        for (double side_m = object % 2 == 0 ? 0.95 : -0.95; std::abs(side_m) < 2.0; side_m *= 1.1) {
+            const Thing rail = placed(make_rail(1.6, random), transform(beside, Vector2d(0.5, side_m)),
+                                      beside.yaw_rad, object, random);
+            if (!clear_of(way, rail)) continue;
+            add(world, rail);
+            break;
+        }
+        ++object;
+    }
+}
+
+/// Boxes beside the wheels, so near that they stand in the part of the image that shows the ground right
+/// before the robot.
+void add_near_boxes(World& world, const std::vector<Pose2>& path) {
+    Random random(mix(world.ground.seed, 19));
+    int object = first_near_box;
+    for (std::size_t i = 0; i < path.size(); i += near_box_images) {
+        Thing box = object % 2 == 0 ? make_low_box(random) : make_box(random);
+        for (Primitive& p : box) p.half_x_m = p.half_y_m = 0.12;
+        const double side_m = object % 2 == 0 ? 0.40 : -0.40;
+        add(world, placed(box, transform(path[i], Vector2d(1.6, side_m)), path[i].yaw_rad, object, random));
+        ++object;
+    }
+}
+
 /// Things to the left and right of the way, at most `reach_m` from it.
 void add_things(World& world, const SceneOptions& options, const std::vector<Pose2>& way, int wanted,
                 double reach_m, Random& random) {
@@ -96,11 +130,12 @@ void add_room(World& world, const std::vector<Pose2>& way, double margin_x_m, do
 Thing make_mover(const SceneOptions& options, Random& random) {
     Primitive box;
     box.half_x_m = 0.25;
-    box.half_y_m = 0.75;
+    box.half_y_m = 0.5 * options.mover.width_m;
     box.z_high_m = 1.7;
     box.texture = {Surface::Patterned, 1.0, 0};
-    Thing thing = placed({box}, {1.95, 1.3}, 0.0, 50, random);
-    thing.front().velocity_mps = {options.speed_mps, -0.25};
+    Thing thing = placed({box}, {1.95, options.mover.start_left_m}, 0.0, 50, random);
+    thing.front().velocity_mps = {options.speed_mps, -options.mover.speed_mps};
+    thing.front().kind = ThingKind::Mover;
     return thing;
 }
 
@@ -110,6 +145,7 @@ World make_world(const SceneOptions& options, const std::vector<Pose2>& path) {
     Random random(mix(options.seed, 7));
     World world;
     world.ground = {options.floor, 1.0, random.bits()};
+    world.waves = {options.floor_waves_m, mix(options.seed, 23)};
     if (options.kind == SceneKind::Free) return world;
     const std::vector<Pose2> way = extended(path);
     const bool corridor = options.kind == SceneKind::Corridor;
@@ -118,6 +154,8 @@ World make_world(const SceneOptions& options, const std::vector<Pose2>& path) {
     add_room(walls, way, corridor ? 1.0 : 2.0, corridor ? 1.25 : 2.6, random);
     const double reach_m = corridor ? 1.0 : 2.1;
     const int wanted = static_cast<int>(std::lround(length_m * (corridor ? 1.6 : 1.8)));
+    if (options.rails) add_rails(world, way);
+    if (options.near_boxes) add_near_boxes(world, path);
     add_things(world, options, way, wanted, reach_m, random);
     add(world, walls.primitives);
     if (options.kind == SceneKind::Mover) add(world, make_mover(options, random));

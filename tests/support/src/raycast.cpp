@@ -103,11 +103,12 @@ std::vector<Solid> solids_of(const World& world, double time_s) {
     return solids;
 }
 
-Hit cast(const std::vector<Solid>& solids, const std::vector<int>& candidates, const Ray& ray) {
+Hit cast(const std::vector<Solid>& solids, const Floor& floor, const std::vector<int>& candidates,
+         const Ray& ray) {
     Hit hit;
     if (ray.direction.z() < -1e-9) {
         hit.primitive = ground_primitive;
-        hit.t = -ray.origin_m.z() / ray.direction.z();
+        hit.t = floor.meet(ray);
     }
     for (const int i : candidates) {
         const Solid& s = solids[static_cast<std::size_t>(i)];

@@ -3,16 +3,10 @@
 #include <limits>
 #include <vector>
 
+#include "floor.h"
 #include "flownav/testing/truth.h"
 
 namespace flownav::testing {
-
-/// A ray origin + t * direction in the world frame. The direction advances by 1 along the optical axis of the
-/// level camera, so t is the depth.
-struct Ray {
-    Eigen::Vector3d origin_m;
-    Eigen::Vector3d direction;
-};
 
 enum Face : int { Side = 0, SideNegX = 1, SidePosX = 2, SideNegY = 3, SidePosY = 4, Top = 5, Bottom = 6 };
 
@@ -46,7 +40,8 @@ struct Solid {
 std::vector<Solid> solids_of(const World& world, double time_s);
 
 /// First thing the ray meets: the ground, or one of the named solids.
-Hit cast(const std::vector<Solid>& solids, const std::vector<int>& candidates, const Ray& ray);
+Hit cast(const std::vector<Solid>& solids, const Floor& floor, const std::vector<int>& candidates,
+         const Ray& ray);
 
 /// Plane that touches what was hit, and how its texture lies: u and v of a point, metres.
 struct Tangent {

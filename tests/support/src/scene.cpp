@@ -4,6 +4,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "floor.h"
 #include "flownav/testing/random.h"
 #include "layout.h"
 #include "path.h"
@@ -37,6 +38,10 @@ void check(const SceneOptions& options) {
     }
     if (!(options.speed_mps >= 0.0 && options.speed_mps <= 10.0))
         throw std::invalid_argument("speed_mps = " + std::to_string(options.speed_mps) + ": choose 0 to 10");
+    if (!(options.floor_waves_m >= 0.0 && options.floor_waves_m <= 0.03)) {
+        throw std::invalid_argument("floor_waves_m = " + std::to_string(options.floor_waves_m) +
+                                    ": choose 0 to 0.03");
+    }
 }
 
 /// Motion of the robot from image i to the next, or to image i from the one before at the end of the drive.
@@ -116,14 +121,23 @@ View nominal_view(const Scene& scene, int i) {
     return {camera, scene.poses.at(static_cast<std::size_t>(i)), scene.time_s(i)};
 }
 
+ImageEffects image_effects(const Scene& scene, int i) {
+    ImageEffects effects = effects_of_image(scene.options.effects, i);
+    if (scene.world.waves.highest_m == 0.0) return effects;
+    const Ride ride = ride_over(scene.world, scene.poses.at(static_cast<std::size_t>(i)));
+    effects.height_m += ride.heave_m;
+    effects.pitch_rad += ride.pitch_rad;
+    return effects;
+}
+
 View true_view(const Scene& scene, int i) {
     View view = nominal_view(scene, i);
-    view.camera = with_effects(view.camera, effects_of_image(scene.options.effects, i));
+    view.camera = with_effects(view.camera, image_effects(scene, i));
     return view;
 }
 
 GreyImage render_image(const Scene& scene, int i) {
-    return render(scene.world, views_during_exposure(scene, i), effects_of_image(scene.options.effects, i));
+    return render(scene.world, views_during_exposure(scene, i), image_effects(scene, i));
 }
 
 Field make_field(const Scene& scene, int i) {

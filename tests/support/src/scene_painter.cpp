@@ -51,6 +51,7 @@ ScenePainter::ScenePainter(const World& world, const View& view)
     : width_(view.camera.width_px),
       height_(view.camera.height_px),
       frame_(view),
+      floor_(world.waves),
       solids_(solids_of(world, view.time_s)),
       corners_(corner_rays(view.camera)) {
     for (const Solid& s : solids_) samplers_.emplace_back(s.shape.texture);
@@ -62,7 +63,7 @@ const Vector2d& ScenePainter::corner(int u, int v) const {
 }
 
 Hit ScenePainter::hit_at(const std::vector<int>& tile, const Vector2d& level_ray) const {
-    return cast(solids_, tile, {frame_.origin_m, frame_.direction(level_ray)});
+    return cast(solids_, floor_, tile, {frame_.origin_m, frame_.direction(level_ray)});
 }
 
 std::vector<int> ScenePainter::tile_candidates(int u0, int v0, int u1, int v1) const {

@@ -27,6 +27,7 @@ class ScenePainter {
 
     int width_, height_;
     RayFrame frame_;
+    Floor floor_;
     std::vector<Solid> solids_;
     std::vector<TextureSampler> samplers_;  ///< of the solids; the ground's comes last
     std::vector<Eigen::Vector2d> corners_;  ///< level rays of the pixels' corners

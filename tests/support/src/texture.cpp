@@ -81,6 +81,8 @@ std::optional<Surface> floor_surface(const std::string& name) {
     if (name == "tiles") return Surface::Tiles;
     if (name == "lino") return Surface::Lino;
     if (name == "plain") return Surface::Plain;
+    if (name == "stoneware") return Surface::Stoneware;
+    if (name == "marbled") return Surface::Marbled;
     return std::nullopt;
 }
 
@@ -113,6 +115,17 @@ TextureSampler::TextureSampler(const Texture& texture) : shade_(texture.shade), 
         case Surface::Faint:
             base_ = 80.0;
             add_octaves(0.15, 0.006, 0.5, 2.0, 1.0);
+            break;
+        case Surface::Stoneware:
+            base_ = 135.0;
+            tiled_ = true;
+            add_octaves(0.24, 0.05, 0.45, 1.5, 1.0);
+            add_octaves(0.012, 0.003, 0.6, 5.0, 1.0);
+            break;
+        case Surface::Marbled:
+            base_ = 120.0;
+            add_octaves(0.3, 0.03, 0.5, 2.0, 1.0);
+            add_octaves(0.012, 0.004, 0.6, 3.5, 1.0);
             break;
     }
 }

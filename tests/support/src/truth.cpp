@@ -16,7 +16,7 @@ Hit cast_all(const World& world, const View& view, const Ray& ray) {
     const std::vector<Solid> solids = solids_of(world, view.time_s);
     std::vector<int> all(solids.size());
     std::iota(all.begin(), all.end(), 0);
-    return cast(solids, all, ray);
+    return cast(solids, Floor(world.waves), all, ray);
 }
 
 bool inside(const CameraModel& camera, const Vector2d& pixel_px) {

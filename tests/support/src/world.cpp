@@ -3,12 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "floor.h"
+
 namespace flownav::testing {
 
 World at_time(const World& world, double time_s) {
     World moved = world;
     for (Primitive& p : moved.primitives) p.centre_m += time_s * p.velocity_mps;
     return moved;
+}
+
+double ground_height_m(const World& world, const Eigen::Vector2d& at_m) {
+    return Floor(world.waves).height_m(at_m);
 }
 
 double distance_m(const Primitive& p, const Eigen::Vector2d& point_m) {

@@ -30,6 +30,13 @@ constexpr std::array<SceneKind, 7> all_scene_kinds = {
 const char* to_string(SceneKind kind);
 std::optional<SceneKind> scene_kind(const std::string& name);
 
+/// The box that crosses the way in SceneKind::Mover. It keeps ahead of the robot.
+struct MoverOptions {
+    double speed_mps = 0.25;  ///< across, to the right
+    double width_m = 1.5;
+    double start_left_m = 1.3;  ///< of the robot's line, its middle
+};
+
 struct SceneOptions {
     SceneKind kind = SceneKind::SCurve;
     std::uint64_t seed = 1;
@@ -40,7 +47,11 @@ struct SceneOptions {
     Surface floor = Surface::Carpet;
     CameraModel camera = standard_camera();  ///< of a frame
     bool interlaced = false;                 ///< fields of alternating parity, the top one first
-    CameraEffects effects;                   ///< its seed is made from the scene's
+    bool rails = false;                      ///< railings along the way, too
+    bool near_boxes = false;     ///< boxes 0.28 m beside the path: nearer than anything else may stand
+    double floor_waves_m = 0.0;  ///< bumps of the floor, up and down; the robot rides on them
+    MoverOptions mover;
+    CameraEffects effects;  ///< its seed is made from the scene's
 };
 
 /// A drive through a world. Image i is taken at poses[i], i / rate_hz seconds after the start.
@@ -60,6 +71,9 @@ Scene make_scene(SceneKind kind, std::uint64_t seed);
 
 /// Image i as the calibration says it was taken: the view to compare a sensor's results with.
 View nominal_view(const Scene& scene, int i);
+
+/// Everything that acts on image i: that of the camera, and the robot's heave and pitch on an uneven floor.
+ImageEffects image_effects(const Scene& scene, int i);
 
 /// Image i as it really was taken, with vibration and floor: the view of the exact flow.
 View true_view(const Scene& scene, int i);

@@ -16,9 +16,11 @@ enum class Surface : std::uint8_t {
     Wall = 4,       ///< painted rough plaster, low contrast
     Patterned = 5,  ///< rich, for objects
     Faint = 6,      ///< wood or metal, low contrast, darker
+    Stoneware = 7,  ///< tiles as they are laid: joints, and fine faint specks inside
+    Marbled = 8,    ///< linoleum as it is laid: faint flecks and streaks
 };
 
-/// The floor of a name: carpet, tiles, lino or plain.
+/// The floor of a name: carpet, tiles, lino, plain, stoneware or marbled.
 std::optional<Surface> floor_surface(const std::string& name);
 
 struct Texture {
