@@ -32,22 +32,31 @@ MotionEstimate estimate_motion(const std::vector<MotionSample>& samples, const C
     EgoMotion& m = estimate.motion;
     m = unmeasured_motion(prediction);
     if (samples.empty()) return estimate;
+    Turn turn;
     for (int round = 0; round < travel_rounds; ++round) {
         const Vector2d direction = direction_of(camera_travel(camera.mount, m.forward_m, m.omega_rad));
-        const Rotation r = fit_rotation(samples, camera, direction, params, scratch);
+        set_up_rotation(samples, camera, direction, scratch);
+        if (round == 0) {
+            const Consensus start = start_rotation(samples, camera, direction, prediction, params, scratch);
+            turn = start.turn;
+            estimate.as_predicted = start.as_predicted;
+        }
+        const Rotation r = fit_rotation(turn, params, scratch);
+        turn = r.turn;
         const Travel t = fit_travel(samples, camera, direction, r, params.lambda_px, scratch);
         m = unmeasured_motion(prediction);
-        m.omega_rad = r.omega_rad;
-        m.pitch_rad = r.pitch_rad;
+        m.omega_rad = r.turn.omega_rad;
+        m.pitch_rad = r.turn.pitch_rad;
         m.sigma_omega_rad = r.sigma_omega_rad;
         m.omega_measured = true;
-        m.inliers = r.inliers;
+        m.inliers = r.support.vectors;
         m.ground_window = t.support;
         m.forward_measured = t.support > 0;
         if (m.forward_measured) {
             m.forward_m = t.along_m * direction.x() + m.omega_rad * camera.mount.left_m;
             m.sigma_forward_m = t.sigma_m;
         }
+        estimate.support_share = r.support.share();
         estimate.noise_factor = r.noise_factor;
     }
     return estimate;

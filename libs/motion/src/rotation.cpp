@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "background.h"
+#include "consensus.h"
 #include "flownav/motion/robust.h"
 
 namespace flownav {
@@ -18,8 +19,9 @@ constexpr double cluster_gap_px = 0.2;  // between vectors of one background
 constexpr int biweight_steps = 4;
 constexpr double determinant_min = 1e-3;  // relative; below yaw and pitch cannot be told apart
 
-double start_omega(const std::vector<MotionSample>& samples, const CameraModel& camera,
-                   const Vector2d& direction, MotionScratch& scratch) {
+/// omega of the background after [S].
+double background(const std::vector<MotionSample>& samples, const CameraModel& camera,
+                  const Vector2d& direction, MotionScratch& scratch) {
     const PlaneGeometry plane(camera.mount);
     scratch.omegas.clear();
     for (const MotionSample& s : samples) {
@@ -29,24 +31,14 @@ double start_omega(const std::vector<MotionSample>& samples, const CameraModel& 
     return background_omega(scratch.omegas, cluster_gap_px / camera.fx_px, scratch.values);
 }
 
-/// The part of f = (S/Z) e + omega h + pitch p across e knows neither S nor Z: one equation a vector.
-void set_up(const std::vector<MotionSample>& samples, const CameraModel& camera, const Vector2d& direction,
-            MotionScratch& scratch) {
-    const PlaneGeometry plane(camera.mount);
-    scratch.across.clear();
-    for (const MotionSample& s : samples) {
-        const Vector2d e = plane.e(s.ray.at, direction);
-        if (e.norm() < 1e-6) continue;
-        const double deviation = deviation_across(e, s.ray.sigma);
-        const double unit = e.norm() * deviation;
-        scratch.across.push_back({cross(e, plane.h(s.ray.at)) / unit,
-                                  cross(e, PlaneGeometry::p(s.ray.at)) / unit, cross(e, s.ray.flow) / unit,
-                                  1.0, deviation / deviation_across(e, one_pixel(camera))});
+/// From the vectors that may belong: what is far off says nothing of the noise.
+double noise_factor_about(const Turn& turn, double lambda_px, MotionScratch& scratch) {
+    scratch.values.clear();
+    for (const auto& row : scratch.across) {
+        const double r = residual(row, turn);
+        if (std::abs(r) < 3.0 || std::abs(r) * row.deviation_px < lambda_px) scratch.values.push_back(r);
     }
-}
-
-double residual(const MotionScratch::Across& row, const Rotation& r) {
-    return row.measured - row.turn * r.omega_rad - row.pitch * r.pitch_rad;
+    return noise_factor_of(scratch.values);
 }
 
 /// Weighted least squares; without pitch when the model has none or the vectors cannot tell it from yaw.
@@ -61,12 +53,12 @@ void solve(const MotionScratch& scratch, MotionModel model, Rotation& r) {
     }
     const double determinant = tt * pp - tp * tp;
     if (model == MotionModel::YawPitch && determinant > determinant_min * tt * pp) {
-        r.omega_rad = (pp * tm - tp * pm) / determinant;
-        r.pitch_rad = (tt * pm - tp * tm) / determinant;
+        r.turn.omega_rad = (pp * tm - tp * pm) / determinant;
+        r.turn.pitch_rad = (tt * pm - tp * tm) / determinant;
         r.sigma_omega_rad = r.noise_factor * std::sqrt(pp / determinant);
     } else if (tt > 0.0) {
-        r.omega_rad = tm / tt;
-        r.pitch_rad = 0.0;
+        r.turn.omega_rad = tm / tt;
+        r.turn.pitch_rad = 0.0;
         r.sigma_omega_rad = r.noise_factor / std::sqrt(tt);
     }
 }
@@ -83,20 +75,39 @@ double omega_of(const RayFlow& ray, const PlaneGeometry& plane, const Vector2d& 
     return cross(e, ray.flow) / cross(e, plane.h(ray.at));
 }
 
-Rotation fit_rotation(const std::vector<MotionSample>& samples, const CameraModel& camera,
-                      const Vector2d& direction, const MotionParams& params, MotionScratch& scratch) {
+// The part of f = (S/Z) e + omega h + pitch p across e knows neither S nor Z: one equation a vector.
+void set_up_rotation(const std::vector<MotionSample>& samples, const CameraModel& camera,
+                     const Vector2d& direction, MotionScratch& scratch) {
+    const PlaneGeometry plane(camera.mount);
+    scratch.across.clear();
+    for (const MotionSample& s : samples) {
+        const Vector2d e = plane.e(s.ray.at, direction);
+        if (e.norm() < 1e-6) continue;
+        const double deviation = deviation_across(e, s.ray.sigma);
+        const double unit = e.norm() * deviation;
+        scratch.across.push_back({cross(e, plane.h(s.ray.at)) / unit,
+                                  cross(e, PlaneGeometry::p(s.ray.at)) / unit, cross(e, s.ray.flow) / unit,
+                                  1.0, deviation / deviation_across(e, one_pixel(camera)), s.ray.at, 0});
+    }
+    assign_cells(scratch.across);
+}
+
+Consensus start_rotation(const std::vector<MotionSample>& samples, const CameraModel& camera,
+                         const Vector2d& direction, const MotionPrediction& prediction,
+                         const MotionParams& params, MotionScratch& scratch) {
+    const double background_rad = background(samples, camera, direction, scratch);
+    return find_consensus(scratch.across, background_rad, prediction, params);
+}
+
+Rotation fit_rotation(const Turn& start, const MotionParams& params, MotionScratch& scratch) {
     Rotation r;
-    r.omega_rad = start_omega(samples, camera, direction, scratch);
-    set_up(samples, camera, direction, scratch);
+    r.turn = start;
     for (int step = 0; step < biweight_steps; ++step) {
-        scratch.values.clear();
-        for (const auto& row : scratch.across) scratch.values.push_back(residual(row, r));
-        r.noise_factor = noise_factor_of(scratch.values);
-        for (auto& row : scratch.across) row.weight = biweight(residual(row, r) / r.noise_factor);
+        r.noise_factor = noise_factor_about(r.turn, params.lambda_px, scratch);
+        for (auto& row : scratch.across) row.weight = biweight(residual(row, r.turn) / r.noise_factor);
         solve(scratch, params.model, r);
     }
-    for (const auto& row : scratch.across)
-        r.inliers += std::abs(residual(row, r)) * row.deviation_px < params.lambda_px;
+    r.support = support_of(scratch.across, r.turn, params.lambda_px);
     return r;
 }
 

@@ -1,21 +1,29 @@
 #pragma once
+#include "consensus.h"
 #include "flownav/motion/estimate_motion.h"
 
 namespace flownav {
 
 struct Rotation {
-    double omega_rad = 0.0;
-    double pitch_rad = 0.0;
+    Turn turn;
     double sigma_omega_rad = 0.0;
     double noise_factor = 1.0;
-    int inliers = 0;  ///< vectors within lambda across e
+    Support support;
 };
 
-/// Shorth (6) of omega_i (4) for a start, then biweight steps on the equations across e. Those are (4) before
-/// its division, each in units of its deviation: the horizon is no special place for them. `direction`: unit
-/// vector of the camera's travel, (forward, left).
-Rotation fit_rotation(const std::vector<MotionSample>& samples, const CameraModel& camera,
-                      const Eigen::Vector2d& direction, const MotionParams& params, MotionScratch& scratch);
+/// The equations across e of all samples, in scratch.across. They are (4) before its division, each in units
+/// of its deviation: the horizon is no special place for them. `direction`: unit vector of the camera's
+/// travel, (forward, left).
+void set_up_rotation(const std::vector<MotionSample>& samples, const CameraModel& camera,
+                     const Eigen::Vector2d& direction, MotionScratch& scratch);
+
+/// The rotation with the widest support among the samples.
+Consensus start_rotation(const std::vector<MotionSample>& samples, const CameraModel& camera,
+                         const Eigen::Vector2d& direction, const MotionPrediction& prediction,
+                         const MotionParams& params, MotionScratch& scratch);
+
+/// Biweight steps from a start on the equations in scratch.across.
+Rotation fit_rotation(const Turn& start, const MotionParams& params, MotionScratch& scratch);
 
 /// Robust deviation of residuals that are in units of their expected deviation, kept within reason: outliers
 /// must not make it look worse than it is. Reorders the residuals.

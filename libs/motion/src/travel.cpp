@@ -30,7 +30,7 @@ void floor_travels(const std::vector<MotionSample>& samples, bool window_only, c
         const Vector2d e = plane.e(s.ray.at, direction);
         // Eq. (9)
         const Vector2d d =
-            s.ray.flow - r.omega_rad * plane.h(s.ray.at) - r.pitch_rad * PlaneGeometry::p(s.ray.at);
+            s.ray.flow - r.turn.omega_rad * plane.h(s.ray.at) - r.turn.pitch_rad * PlaneGeometry::p(s.ray.at);
         if (std::abs(cross(e, d)) > lambda_px * e.norm() * deviation_across(e, one_pixel(camera))) continue;
         // Eq. (10)
         const double travel_over_depth = e.dot(d) / e.squaredNorm();

@@ -15,11 +15,13 @@ namespace {
 using Eigen::Vector2d;
 using Impl = State::Impl;
 
-constexpr int confident_min = 16;          // vectors; with fewer there is no texture to speak of
-constexpr double inlier_share_min = 0.5;   // of the confident vectors; below the motion is lost
-constexpr double supported_share = 0.25;   // of the placed blocks; below a search may find something better
-constexpr std::size_t coarse_step = 3;     // the search looks at every third block
-constexpr double speed_drift_per_s = 0.3;  // relative; how fast a speed that is carried over loses its worth
+constexpr int confident_min = 16;           // vectors; with fewer there is no texture to speak of
+constexpr double expected_share = 0.2;      // of the image's cells must agree with a motion as predicted,
+constexpr double unexpected_share = 0.5;    // and with any other
+constexpr double turn_change_radps2 = 2.0;  // of a robot, at the most
+constexpr double hold_s = 0.5;              // a prediction outlives so long whatever covers the view
+constexpr std::size_t coarse_step = 3;      // the search looks at every third block
+constexpr double speed_drift_per_s = 0.3;   // relative; how fast a speed that is carried over loses its worth
 
 double seconds_since_reference(const Impl& s) {
     return s.newest.field.timestamp_s - s.reference.field.timestamp_s;
@@ -38,6 +40,8 @@ MotionPrediction predict(const Impl& s, double since_last_s) {
         p.omega_rad += s.cycle.back().motion.omega_rad;
         p.pitch_rad = s.cycle.back().motion.pitch_rad;
     }
+    const double unmeasured_s = s.rates.held_s + since_last_s;
+    if (s.rates.known) p.omega_tolerance_rad = turn_change_radps2 * unmeasured_s * unmeasured_s;
     return p;
 }
 
@@ -71,16 +75,31 @@ void restart(Impl& s, bool new_camera) {
     begin_cycle(s);
 }
 
+/// True when a measured motion can be the robot's. One that continues the last needs little support. Another
+/// may be something that moves across the view: it must fill most of it and the floor before the robot must
+/// move along, or the last motion must be long gone.
+bool credible(const Impl& s, const Measurement& m, double since_last_s) {
+    const MotionEstimate& e = m.estimate;
+    if (e.motion.inliers < confident_min / 2) return false;
+    const bool prediction_worthless = !s.rates.known || s.rates.held_s + since_last_s > hold_s;
+    if (e.as_predicted && !prediction_worthless) return e.support_share >= expected_share;
+    return e.support_share >= unexpected_share && (prediction_worthless || e.motion.forward_measured);
+}
+
 /// Measures with the predicted motion; where that finds little support, with the best of a wide search.
-void measure_newest(Impl& s, const MotionPrediction& prediction) {
+bool measure_newest(Impl& s, const MotionPrediction& prediction, double since_last_s) {
     const MeasureContext context{s.params, s.matcher};
     measure(s.reference, s.newest, s.layout, prediction, context, s.measured);
-    if (s.measured.estimate.motion.inliers >= supported_share * s.measured.placed) return;
+    if (credible(s, s.measured, since_last_s)) return true;
     const MotionPrediction found = search_motion(s.reference, s.newest, s.coarse_layout, context, s.trial);
     measure(s.reference, s.newest, s.layout, found, context, s.trial);
+    s.trial.estimate.as_predicted =
+        std::abs(s.trial.estimate.motion.omega_rad - prediction.omega_rad) <= prediction.omega_tolerance_rad;
+    if (!credible(s, s.trial, since_last_s)) return false;
     EgoMotion& trial = s.trial.estimate.motion;
     if (!trial.forward_measured) trial.forward_m = prediction.forward_m;  // the hypothesis is no measurement
-    if (s.trial.estimate.motion.inliers > s.measured.estimate.motion.inliers) std::swap(s.trial, s.measured);
+    std::swap(s.trial, s.measured);
+    return true;
 }
 
 /// Enters the vectors into the block records; a block without a good one keeps the last of the cycle.
@@ -105,17 +124,14 @@ void record_vectors(Impl& s) {
     }
 }
 
-FieldStatus status_of(const Measurement& m) {
-    const int confident = static_cast<int>(m.samples.size());
-    if (confident < confident_min) return FieldStatus::NoTexture;
-    return m.estimate.motion.inliers < inlier_share_min * confident ? FieldStatus::Lost : FieldStatus::Ok;
-}
-
 /// Takes the measured motion, or the prediction where there is none to trust.
-void accept_motion(Impl& s, const MotionPrediction& prediction, double since_last_s) {
+void accept_motion(Impl& s, bool is_credible, const MotionPrediction& prediction, double since_last_s) {
     Step& out = s.step;
+    const bool textured = static_cast<int>(s.measured.samples.size()) >= confident_min;
+    out.status = !textured ? FieldStatus::NoTexture : is_credible ? FieldStatus::Ok : FieldStatus::Lost;
+    s.rates.known |= out.status == FieldStatus::Ok;
+    s.rates.held_s = out.status == FieldStatus::Ok ? 0.0 : s.rates.held_s + since_last_s;
     const EgoMotion& measured = s.measured.estimate.motion;
-    out.status = status_of(s.measured);
     out.motion = out.status == FieldStatus::Ok ? measured : unmeasured_motion(prediction);
     if (out.motion.forward_measured) {
         s.rates.sigma_v_relative =
@@ -196,9 +212,9 @@ const Step& step(State& state, const Field& field) {
     s.step.image_of_cycle = static_cast<int>(s.cycle.size()) + 1;
 
     const MotionPrediction prediction = predict(s, since_last_s);
-    measure_newest(s, prediction);
+    const bool is_credible = measure_newest(s, prediction, since_last_s);
     record_vectors(s);
-    accept_motion(s, prediction, since_last_s);
+    accept_motion(s, is_credible, prediction, since_last_s);
     publish_motion(s, since_last_s);
     judge_blocks(s);
     if (s.step.end_of_cycle) {

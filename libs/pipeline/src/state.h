@@ -19,6 +19,8 @@ struct Rates {
     double omega_radps = 0.0;
     double v_mps = 0.0;
     double sigma_v_relative = 1.0;  ///< of v_mps; 1: not known at all
+    bool known = false;             ///< omega_radps has been measured
+    double held_s = 0.0;            ///< for so long it was not
 };
 
 struct State::Impl {

@@ -25,6 +25,8 @@ struct MotionScratch {
     struct Across {
         double turn, pitch, measured, weight;
         double deviation_px;
+        Eigen::Vector2d at;
+        int cell;
     };
     /// The travel that one vector of the floor stands for, with its deviation.
     struct Along {
@@ -38,7 +40,9 @@ struct MotionScratch {
 
 struct MotionEstimate {
     EgoMotion motion;
-    double noise_factor = 1.0;  ///< how much larger the errors are than the vectors' own deviations say
+    bool as_predicted = false;   ///< the turn lies within the prediction's tolerance
+    double support_share = 0.0;  ///< of the image's cells, those that agree with the rotation
+    double noise_factor = 1.0;   ///< how much larger the errors are than the vectors' own deviations say
 };
 
 /// Rotation and forward travel of the robot between the reference and the newer field, from vectors anywhere

@@ -1,4 +1,6 @@
 #pragma once
+#include <limits>
+
 #include "flownav/core/flow_vector.h"
 #include "flownav/core/plane_geometry.h"
 #include "flownav/motion/params.h"
@@ -15,6 +17,8 @@ struct MotionPrediction {
     double omega_rad = 0.0;
     double pitch_rad = 0.0;
     double forward_m = 0.0;
+    /// How far the true turn can be from omega_rad when nothing unforeseen happens; infinite: anywhere.
+    double omega_tolerance_rad = std::numeric_limits<double>::infinity();
 };
 
 /// Eq. (3) for a point of the ground at `at` in the reference, evaluated at the mid-point of the vector

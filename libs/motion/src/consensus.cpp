@@ -1,0 +1,115 @@
+#include "consensus.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace flownav {
+namespace {
+
+constexpr int columns = 8;
+constexpr int lines = 6;
+constexpr int cell_votes_min = 2;
+constexpr int pairs_tried = 40;
+constexpr double continuity_bonus = 2.0;  // a rotation as predicted needs only half the support
+constexpr double determinant_min = 1e-3;  // relative; vectors that say nearly the same
+
+bool better(const Support& a, const Support& b) {
+    return a.cells != b.cells ? a.cells > b.cells : a.vectors > b.vectors;
+}
+
+/// The best of what was tried, apart for rotations that continue the last motion and for all others.
+struct Contest {
+    const std::vector<MotionScratch::Across>& rows;
+    const MotionPrediction& prediction;
+    double lambda_px;
+    Consensus continuing, other;
+
+    void enter(const Turn& turn) {
+        const bool continues =
+            std::abs(turn.omega_rad - prediction.omega_rad) <= prediction.omega_tolerance_rad;
+        Consensus& rival = continues ? continuing : other;
+        const Support support = support_of(rows, turn, lambda_px);
+        if (better(support, rival.support)) rival = {turn, support, continues};
+    }
+    const Consensus& winner() const {
+        return continuity_bonus * continuing.support.cells >= other.support.cells ? continuing : other;
+    }
+};
+
+/// The rotation that two vectors agree on; without pitch the one of the first alone.
+bool turn_of(const MotionScratch::Across& p, const MotionScratch::Across& q, MotionModel model, Turn& turn) {
+    if (model == MotionModel::Yaw) {
+        turn = {p.measured / p.turn, 0.0};
+        return p.turn != 0.0;
+    }
+    const double determinant = p.turn * q.pitch - q.turn * p.pitch;
+    if (std::abs(determinant) < determinant_min * (std::abs(p.turn * q.pitch) + std::abs(q.turn * p.pitch)))
+        return false;
+    turn = {(p.measured * q.pitch - q.measured * p.pitch) / determinant,
+            (p.turn * q.measured - q.turn * p.measured) / determinant};
+    return true;
+}
+
+/// Pairs spread evenly over all pairs, always the same ones.
+void enter_pairs(Contest& contest, MotionModel model) {
+    constexpr double plastic = 1.32471795724474602596;  // x^3 = x + 1
+    const auto n = static_cast<double>(contest.rows.size());
+    const auto pick = [&](double x) {
+        return contest.rows[static_cast<std::size_t>((x - std::floor(x)) * n)];
+    };
+    for (int k = 1; k <= pairs_tried; ++k) {
+        Turn turn;
+        if (turn_of(pick(k / plastic), pick(k / (plastic * plastic)), model, turn)) contest.enter(turn);
+    }
+}
+
+}  // namespace
+
+void assign_cells(std::vector<MotionScratch::Across>& rows) {
+    if (rows.empty()) return;
+    Eigen::Vector2d low = rows.front().at;
+    Eigen::Vector2d high = rows.front().at;
+    for (const auto& row : rows) {
+        low = low.cwiseMin(row.at);
+        high = high.cwiseMax(row.at);
+    }
+    const Eigen::Vector2d size = (high - low).cwiseMax(1e-9);
+    for (auto& row : rows) {
+        const Eigen::Vector2d share = (row.at - low).cwiseQuotient(size);
+        row.cell = std::min(columns - 1, static_cast<int>(share.x() * columns)) +
+                   columns * std::min(lines - 1, static_cast<int>(share.y() * lines));
+    }
+}
+
+Support support_of(const std::vector<MotionScratch::Across>& rows, const Turn& turn, double lambda_px) {
+    std::array<int, columns * lines> all{};
+    std::array<int, columns * lines> agreeing{};
+    Support s;
+    for (const auto& row : rows) {
+        const bool yes = agrees(row, turn, lambda_px);
+        ++all[row.cell];
+        agreeing[row.cell] += yes;
+        s.vectors += yes;
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        s.all_cells += all[i] >= cell_votes_min;
+        s.cells += agreeing[i] >= cell_votes_min && 2 * agreeing[i] > all[i];
+    }
+    return s;
+}
+
+Consensus find_consensus(const std::vector<MotionScratch::Across>& rows, double background_rad,
+                         const MotionPrediction& prediction, const MotionParams& params) {
+    Contest contest{rows, prediction, params.lambda_px, {}, {}};
+    const double pitch_rad = params.model == MotionModel::YawPitch ? prediction.pitch_rad : 0.0;
+    contest.continuing = {{prediction.omega_rad, pitch_rad}, {}, true};
+    contest.other = {{background_rad, 0.0}, {}, false};
+    contest.enter({prediction.omega_rad, pitch_rad});
+    contest.enter({background_rad, pitch_rad});
+    contest.enter({background_rad, 0.0});
+    if (!rows.empty()) enter_pairs(contest, params.model);
+    return contest.winner();
+}
+
+}  // namespace flownav

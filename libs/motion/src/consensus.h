@@ -1,0 +1,55 @@
+#pragma once
+#include <vector>
+
+#include "flownav/motion/estimate_motion.h"
+
+namespace flownav {
+
+/// A rotation that is tried.
+struct Turn {
+    double omega_rad = 0.0;
+    double pitch_rad = 0.0;
+};
+
+/// How many standard deviations the vector of a row is away from a rotation.
+inline double residual(const MotionScratch::Across& row, const Turn& turn) {
+    return row.measured - row.turn * turn.omega_rad - row.pitch * turn.pitch_rad;
+}
+
+/// True when a vector agrees with a rotation: within its own error, or what the method itself errs, and
+/// within lambda, across e.
+inline bool agrees(const MotionScratch::Across& row, const Turn& turn, double lambda_px) {
+    constexpr double vote_px = 0.4;
+    constexpr double vote_deviations = 3.0;
+    const double r = std::abs(residual(row, turn));
+    return r * row.deviation_px < lambda_px && (r < vote_deviations || r * row.deviation_px < vote_px);
+}
+
+/// Divides the image into 8 x 6 cells and enters the cell of every row.
+void assign_cells(std::vector<MotionScratch::Across>& rows);
+
+/// Over how much of the image the vectors agree with a rotation. A cell counts when most of its vectors, and
+/// two at least, agree: many vectors on something close together weigh no more than few all over.
+struct Support {
+    int cells = 0;      ///< that agree
+    int all_cells = 0;  ///< that have two vectors or more
+    int vectors = 0;
+
+    double share() const { return all_cells > 0 ? static_cast<double>(cells) / all_cells : 0.0; }
+};
+
+Support support_of(const std::vector<MotionScratch::Across>& rows, const Turn& turn, double lambda_px);
+
+struct Consensus {
+    Turn turn;
+    Support support;
+    bool as_predicted = false;  ///< within the prediction's tolerance
+};
+
+/// The rotation to start from: the one with the widest support among the predicted one, the background of
+/// [S] and the rotations that pairs of vectors stand for. A rotation as predicted wins against another with
+/// up to twice its support: what moves across a large part of the view does not turn the robot.
+Consensus find_consensus(const std::vector<MotionScratch::Across>& rows, double background_rad,
+                         const MotionPrediction& prediction, const MotionParams& params);
+
+}  // namespace flownav
