@@ -7,6 +7,28 @@
 
 namespace flownav::testing {
 
+const char* to_string(ThingKind kind) {
+    switch (kind) {
+        case ThingKind::Wall:
+            return "wall";
+        case ThingKind::Box:
+            return "box";
+        case ThingKind::LowBox:
+            return "low box";
+        case ThingKind::Pole:
+            return "pole";
+        case ThingKind::Drum:
+            return "drum";
+        case ThingKind::Chair:
+            return "chair";
+        case ThingKind::Rail:
+            return "rail";
+        case ThingKind::Mover:
+            return "mover";
+    }
+    return "";
+}
+
 World at_time(const World& world, double time_s) {
     World moved = world;
     for (Primitive& p : moved.primitives) p.centre_m += time_s * p.velocity_mps;

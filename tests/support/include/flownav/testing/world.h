@@ -12,6 +12,8 @@ enum class Shape : std::uint8_t { Box = 0, Cylinder = 1 };
 /// What a primitive is part of.
 enum class ThingKind : std::uint8_t { Wall, Box, LowBox, Pole, Drum, Chair, Rail, Mover };
 
+const char* to_string(ThingKind kind);
+
 /// An upright box (turned by yaw) or an upright cylinder, in the world frame: x, y on the ground, z up,
 /// metres.
 struct Primitive {

@@ -1,0 +1,30 @@
+#include "chain_run.h"
+
+#include "flownav/sensor/camera_conversion.h"
+
+namespace flownav::fidelity {
+namespace {
+
+CameraModel believed(const CameraModel& camera, const CameraConfig& config) {
+    mrpt::obs::CObservationImage recorded;
+    recorded.cameraParams = camera_params(camera);
+    recorded.cameraPose = camera_pose(camera.mount);
+    return camera_model(recorded, config, camera.width_px, camera.height_px);
+}
+
+}  // namespace
+
+void run_chain(const RenderedScene& drive, const Config& config, const Watcher& watcher) {
+    pipeline::State state(config.pipeline);
+    int reference = 0;
+    for (int i = 0; i < static_cast<int>(drive.fields.size()); ++i) {
+        Field field = drive.fields[static_cast<std::size_t>(i)];
+        field.camera = believed(field.camera, config.camera);
+        const pipeline::Step& step = pipeline::step(state, field);
+        if (step.status == FieldStatus::Waiting) reference = i;
+        watcher({drive, config, step, i, reference});
+        if (step.end_of_cycle) reference = i;
+    }
+}
+
+}  // namespace flownav::fidelity
