@@ -9,17 +9,17 @@ namespace flownav {
 
 /// Motion between two fields as its flow shows it: turn, pitch and roll in radians, and travel over height.
 struct PairMotion {
-    static constexpr int size = 4;
+    static constexpr int turn = 0, pitch = 1, roll = 2, travel = 3, size = 4;
     Eigen::Vector4d values = Eigen::Vector4d::Zero();
 
     PairMotion() = default;
     PairMotion(const EgoMotion& motion, double height_m)
         : values(motion.omega_rad, motion.pitch_rad, 0.0, motion.forward_m / height_m) {}
 
-    double omega_rad() const { return values[0]; }
-    double pitch_rad() const { return values[1]; }
-    double roll_rad() const { return values[2]; }
-    double heights() const { return values[3]; }
+    double omega_rad() const { return values[turn]; }
+    double pitch_rad() const { return values[pitch]; }
+    double roll_rad() const { return values[roll]; }
+    double heights() const { return values[travel]; }
 };
 
 /// Where a ray of the reference that meets the ground is in the newer field, both in the level coordinates

@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "flownav/core/plane_geometry.h"
 #include "flownav/motion/robust.h"
@@ -19,12 +21,17 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 
 constexpr int angles = 3;
+constexpr int strips = 8;
 constexpr int unknowns = angles + PairMotion::size;
 constexpr int vectors_min = 24;
-constexpr int steps = 6;
-constexpr double far_share = 1.0 / 3.0;  // of a y + b at the lower border: what lies beyond is seldom floor
+constexpr int steps = 4;
+constexpr double matching_error_px = 0.02;  // of block matching, in rows of one distance alike
+constexpr double rcond_min = 1e-12;
+constexpr double far_share = 1.0 / 3.0;  // of a y + b at the lower border
+constexpr double below_horizon_min_of_all = 0.02;
 constexpr double noise_factor_min = 0.3;
 constexpr double noise_factor_max = 30.0;
+constexpr double close_deviations = 3.5;
 constexpr double median_of_norm = 1.1774;  // of a Gaussian in two dimensions of deviation 1
 
 using Normal = Eigen::Matrix<double, unknowns, unknowns>;
@@ -86,12 +93,15 @@ struct NearGround {
     double below_horizon_min;
 
     explicit NearGround(const CameraModel& camera)
-        : plane(camera.mount),
-          below_horizon_min(std::max(
-              0.02,
-              far_share * plane.below_horizon({0.0, (camera.height_px - camera.cy_px) / camera.fy_px}))) {}
+        : plane(camera.mount), below_horizon_min(near_below_horizon(camera)) {}
 
     bool shows(const RayFlow& ray) const { return plane.below_horizon(ray.at) >= below_horizon_min; }
+
+    /// 0 for the farthest vectors that count, 1 at the lower border.
+    double nearness(const RayFlow& ray) const {
+        const double far = below_horizon_min;
+        return std::clamp((plane.below_horizon(ray.at) - far) / (far / far_share - far), 0.0, 1.0);
+    }
 };
 
 double robust_noise(const std::vector<RayFlow>& rays, const NearGround& near, const Matrix3d& H,
@@ -106,21 +116,71 @@ double robust_noise(const std::vector<RayFlow>& rays, const NearGround& near, co
     return std::clamp(*middle / median_of_norm, noise_factor_min, noise_factor_max);
 }
 
-/// Removes the pair's own motion from the equations (Schur complement).
-PoseEquations eliminated(const Normal& N, const Column& g) {
-    const Eigen::LDLT<Matrix4d> own(N.bottomRightCorner<PairMotion::size, PairMotion::size>());
-    const Eigen::Matrix<double, PairMotion::size, angles> coupling =
-        N.bottomLeftCorner<PairMotion::size, angles>();
-    PoseEquations e;
-    if (own.info() != Eigen::Success || own.rcond() < 1e-12) return e;
-    e.information = N.topLeftCorner<angles, angles>() - coupling.transpose() * own.solve(coupling);
-    e.gradient = g.head<angles>() - coupling.transpose() * own.solve(g.tail<PairMotion::size>());
-    e.scatter = e.gradient * e.gradient.transpose();
-    e.pairs = 1;
-    return e;
-}
+/// The pair's equations: adds what a vector says, and removes the pair's own motion (Schur complement).
+class Equations {
+  public:
+    Normal N = Normal::Zero();
+    Column g = Column::Zero();
+
+    using Own = Eigen::Matrix<double, PairMotion::size, 1>;
+
+    /// `depth_share`: 0 for the farthest of the near floor, 1 at the lower border; `pixel`: one pixel in the
+    /// units of the residual.
+    void add(const Jacobian& J, const Vector2d& residual, double weight, double depth_share,
+             const Vector2d& pixel) {
+        const Column gradient = weight * J.transpose() * residual;
+        N.noalias() += weight * J.transpose() * J;
+        g += gradient;
+        strips_.col(std::clamp(static_cast<int>(depth_share * strips), 0, strips - 1)) += gradient;
+        const Vector2d error = matching_error_px * (2.0 * depth_share - 1.0) * pixel;
+        strips_.rightCols<2>() += weight * J.transpose() * error.asDiagonal();
+    }
+
+    /// What is known of the pair's pitch and roll beforehand.
+    void expect(const PairMotion& own, const Steadiness& steadiness) {
+        for (const auto& [i, sigma_rad] : {std::pair(PairMotion::pitch, steadiness.pitch_rad),
+                                           std::pair(PairMotion::roll, steadiness.roll_rad)}) {
+            const double weight = 1.0 / (sigma_rad * sigma_rad);
+            N(angles + i, angles + i) += weight;
+            g[angles + i] -= weight * own.values[i];
+        }
+    }
+
+    /// The step of the pair's own motion, with the angles as they are.
+    std::optional<Own> own_step() const {
+        const Eigen::LDLT<Matrix4d> own(N.bottomRightCorner<PairMotion::size, PairMotion::size>());
+        if (own.info() != Eigen::Success || own.rcond() < rcond_min) return std::nullopt;
+        return Own(own.solve(g.tail<PairMotion::size>()));
+    }
+
+    PoseEquations eliminated() const {
+        PoseEquations e;
+        const Eigen::LDLT<Matrix4d> own(N.bottomRightCorner<PairMotion::size, PairMotion::size>());
+        if (own.info() != Eigen::Success || own.rcond() < rcond_min) return e;
+        // Angles and own motion -> angles alone.
+        Eigen::Matrix<double, angles, unknowns> E;
+        E.leftCols<angles>().setIdentity();
+        E.rightCols<PairMotion::size>() =
+            -own.solve(N.bottomLeftCorner<PairMotion::size, angles>()).transpose();
+        e.information = E * N.leftCols<angles>();
+        e.gradient = E * g;
+        e.scatter = e.gradient * e.gradient.transpose();
+        e.strips = E * strips_;
+        e.pairs = 1;
+        return e;
+    }
+
+  private:
+    Eigen::Matrix<double, unknowns, strips + 2> strips_ = Eigen::Matrix<double, unknowns, strips + 2>::Zero();
+};
 
 }  // namespace
+
+double near_below_horizon(const CameraModel& camera) {
+    const PlaneGeometry plane(camera.mount);
+    const double nearest = plane.below_horizon({0.0, (camera.height_px - camera.cy_px) / camera.fy_px});
+    return std::max(below_horizon_min_of_all, far_share * nearest);
+}
 
 CameraMount corrected(CameraMount mount, const MountAngles& correction) {
     mount.pitch_rad += correction[0];
@@ -133,43 +193,47 @@ PoseEquations& PoseEquations::operator+=(const PoseEquations& other) {
     information += other.information;
     gradient += other.gradient;
     scatter += other.scatter;
+    strips += other.strips;
     pairs += other.pairs;
     return *this;
 }
 
 PairFit fit_pair(const std::vector<RayFlow>& rays, const CameraModel& camera, const EgoMotion& motion,
-                 Geometry geometry, PoseScratch& scratch) {
+                 Geometry geometry, const Steadiness& steadiness, PoseScratch& scratch) {
     PairFit fit;
     PairMotion own(motion, camera.mount.height_m);
     const NearGround near(camera);
-    Normal N;
-    Column g;
     for (int step = 0;; ++step) {
         const Model model = model_at(camera.mount, own);
         fit.H_newer_reference = model.H;
         fit.noise_factor = robust_noise(rays, near, model.H, geometry, scratch);
         if (fit.noise_factor <= 0.0) return {};
-        N.setZero();
-        g.setZero();
-        fit.ground_vectors = 0;
+        Equations equations;
+        equations.expect(own, steadiness);
+        fit.near_vectors = fit.close_vectors = fit.ground_vectors = 0;
         for (const RayFlow& ray : rays) {
             if (!near.shows(ray)) continue;
             const Ends ends = ends_of(ray, geometry);
             const Vector2d sigma = ray.sigma * fit.noise_factor;
             const Vector2d residual = residual_of(ends, sigma, model.H);
             const double weight = biweight(residual.norm());
-            if (weight <= 0.0) continue;
-            const Jacobian J = jacobian_of(ends, sigma, model);
-            N.noalias() += weight * J.transpose() * J;
-            g.noalias() += weight * J.transpose() * residual;
-            ++fit.ground_vectors;
+            ++fit.near_vectors;
+            fit.close_vectors += residual.norm() * fit.noise_factor < close_deviations;
+            fit.ground_vectors += weight > 0.0;
+            if (weight > 0.0)
+                equations.add(jacobian_of(ends, sigma, model), residual, weight, near.nearness(ray),
+                              one_pixel(camera).cwiseQuotient(sigma));
         }
-        if (step == steps) break;
-        const Eigen::LDLT<Matrix4d> solver(N.bottomRightCorner<PairMotion::size, PairMotion::size>());
-        if (solver.info() != Eigen::Success || solver.rcond() < 1e-12) return {};
-        own.values += solver.solve(g.tail<PairMotion::size>());
+        if (step == steps) {
+            if (fit.ground_vectors >= vectors_min) fit.equations = equations.eliminated();
+            break;
+        }
+        const auto own_step = equations.own_step();
+        if (!own_step) return {};
+        own.values += *own_step;
     }
-    if (fit.ground_vectors >= vectors_min) fit.equations = eliminated(N, g);
+    fit.pitch_rad = own.pitch_rad();
+    fit.roll_rad = own.roll_rad();
     return fit;
 }
 
@@ -183,13 +247,24 @@ PoseCorrection solve(const PoseEquations& e) {
             covariance.diagonal().cwiseMax(between_pairs.diagonal()).cwiseMax(0.0).cwiseSqrt()};
 }
 
-PoseCorrection solve_pitch(const PoseEquations& e) {
-    PoseEquations pitch;
-    pitch.information(0, 0) = e.information(0, 0);
-    pitch.gradient[0] = e.gradient[0];
-    pitch.scatter(0, 0) = e.scatter(0, 0);
-    pitch.pairs = e.pairs;
-    return solve(pitch);
+MountAngles systematic_sigma_rad(const PoseEquations& e) {
+    const Matrix3d A = e.information + Matrix3d::Identity() / (unknown_angle_rad * unknown_angle_rad);
+    const Eigen::Matrix<double, angles, strips + 2> shifts = A.inverse() * e.strips;
+    return shifts.rowwise().norm();
+}
+
+PoseEquations only(const PoseEquations& equations, const AngleMask& unknown) {
+    PoseEquations e = equations;
+    for (int i = 0; i < angles; ++i) {
+        if (unknown[static_cast<std::size_t>(i)]) continue;
+        e.information.row(i).setZero();
+        e.information.col(i).setZero();
+        e.scatter.row(i).setZero();
+        e.scatter.col(i).setZero();
+        e.gradient[i] = 0.0;
+        e.strips.row(i).setZero();
+    }
+    return e;
 }
 
 }  // namespace flownav

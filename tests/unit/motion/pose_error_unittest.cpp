@@ -35,7 +35,7 @@ PairFit fit(const Pair& pair, const std::vector<FlowVector>& vectors, const Came
     EgoMotion rough;
     rough.omega_rad = 0.9 * pair.truth.omega_rad;
     rough.forward_m = 0.9 * pair.truth.forward_m;
-    return fit_pair(rays_of(pair, vectors, assumed), camera, rough, Geometry::MidPoint, scratch);
+    return fit_pair(rays_of(pair, vectors, assumed), camera, rough, Geometry::MidPoint, {}, scratch);
 }
 
 /// Gauss-Newton steps on one pair, from an assumed mount.

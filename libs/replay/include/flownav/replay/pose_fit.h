@@ -1,0 +1,62 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "flownav/motion/pose_error.h"
+#include "flownav/replay/calibration_drive.h"
+
+namespace flownav {
+
+/// Adds up the equations of pairs in the order of the drive. Neighbouring pairs see the same floor, so their
+/// errors are alike: the scatter that tells the uncertainty is that between groups of them.
+class PoseSum {
+  public:
+    explicit PoseSum(int pairs_per_group) : pairs_per_group_(pairs_per_group) {}
+    void add(const PoseEquations& pair);
+
+    /// Its `pairs` counts groups.
+    PoseEquations total() const;
+    int pairs() const { return pairs_; }
+
+  private:
+    int pairs_per_group_;
+    int pairs_ = 0;
+    PoseEquations groups_;  ///< finished ones; its `pairs` counts groups
+    PoseEquations open_;
+};
+
+/// Angles of the camera that explain a drive.
+struct AnglesFit {
+    MountAngles correction_rad = MountAngles::Zero();  ///< of the mounts that the pairs come with
+    MountAngles sigma_rad = MountAngles::Constant(unknown_angle_rad);
+    Steadiness steadiness;  ///< as the drive showed it
+    bool settled = false;
+    int pairs = 0;
+    double agreeing = 0.0;  ///< share of all vectors that move like the floor, within a pixel or so
+};
+
+/// Gauss-Newton over all pairs, from a correction to start with.
+AnglesFit fit_angles(const std::vector<CalibrationPair>& pairs, const MountAngles& start_rad,
+                     const AngleMask& unknown);
+
+/// A pair as a camera of corrected mount sees it.
+struct SeenPair {
+    CameraModel camera;  ///< of the reference
+    RayMapper reference;
+    RayMapper newer;
+    std::vector<RayFlow> rays;
+};
+
+SeenPair seen(const CalibrationPair& pair, const MountAngles& correction_rad);
+
+/// Odometry over flow odometry, which is the true over the assumed height.
+struct ScaleFit {
+    double ratio = 1.0;
+    double sigma = 0.0;
+    int pairs = 0;
+};
+
+/// Nothing when odometry and flow share too few pieces of forward driving.
+std::optional<ScaleFit> fit_scale(const std::vector<CalibrationPair>& pairs, const PoseTrack& odometry);
+
+}  // namespace flownav
