@@ -31,6 +31,8 @@ const char* to_string(BlockFate fate) {
             return "ground";
         case BlockFate::Obstacle:
             return "obstacle";
+        case BlockFate::Moving:
+            return "moving";
         case BlockFate::Unsupported:
             return "unsupported";
         case BlockFate::Unjudged:

@@ -11,6 +11,7 @@ using mrpt::maps::COccupancyGridMap2D;
 
 // MRPT's cells speak of the probability of being FREE.
 constexpr double seen_obstacle = 0.36;  // by a point that is surely in its cell; two cycles make it occupied
+constexpr double seen_mover = 0.2;      // it will be elsewhere in the next cycle: one must do
 constexpr double seen_floor = 0.57;  // weaker: a block of floor before a thin leg says little about the leg
 constexpr double margin_m = 2.0;     // by which a growing grid grows ahead
 constexpr double extent_max_m = 2000.0;  // of a drive's map: a broken odometry must not eat the memory
@@ -30,6 +31,7 @@ struct Evidence {
 
 /// A point whose range is uncertain by more than half a cell says less about that one cell.
 double p_free(const ObstaclePoint& point, double resolution_m) {
+    if (point.moving) return seen_mover;
     const double share = std::min(1.0, resolution_m / 2 / std::max(point.sigma_m, 1e-6));
     return 0.5 - (0.5 - seen_obstacle) * share * share;
 }
@@ -44,11 +46,14 @@ void add_floor(const COccupancyGridMap2D& grid, const Vector2d& near, const Vect
     }
 }
 
+enum class Movers { LeaveOut, Insert };
+
 /// Fuses a set that was seen from T_grid_robot, in the frame of the grid. Cells outside the grid are left
 /// out.
-void fuse(COccupancyGridMap2D& grid, const ObstacleSet& set, const Pose2& T_grid_robot) {
+void fuse(COccupancyGridMap2D& grid, const ObstacleSet& set, const Pose2& T_grid_robot, Movers movers) {
     std::vector<Evidence> evidence;
     for (const ObstaclePoint& point : set.points) {
+        if (point.moving && movers == Movers::LeaveOut) continue;
         const Vector2d p = transform(T_grid_robot, point.position_m.head<2>());
         evidence.push_back({grid.x2idx(p.x()), grid.y2idx(p.y()), p_free(point, grid.getResolution())});
     }
@@ -90,7 +95,7 @@ DriveMap::DriveMap(const MapParams& params)
 
 void DriveMap::insert(const ObstacleSet& set) {
     make_room(grid_, set);
-    fuse(grid_, set, set.T_map_robot);
+    fuse(grid_, set, set.T_map_robot, Movers::LeaveOut);
 }
 
 LocalMap::LocalMap(const MapParams& params)
@@ -104,7 +109,10 @@ void LocalMap::insert(const ObstacleSet& set) {
     while (set.timestamp_s - history_.front().timestamp_s > params_.memory_s) history_.pop_front();
     grid_.fill(0.5F);
     const Pose2 T_robot_map = inverse(set.T_map_robot);
-    for (const ObstacleSet& old : history_) fuse(grid_, old, compose(T_robot_map, old.T_map_robot));
+    for (const ObstacleSet& old : history_) {
+        const bool newest = &old == &history_.back();
+        fuse(grid_, old, compose(T_robot_map, old.T_map_robot), newest ? Movers::Insert : Movers::LeaveOut);
+    }
 }
 
 }  // namespace flownav

@@ -27,6 +27,9 @@ Judgement judge(const RayFlow& ray, const CameraModel& camera, const EgoMotion& 
     // Eq. (9)
     const Vector2d d =
         ray.flow - motion.omega_rad * plane.h(ray.at) - motion.pitch_rad * PlaneGeometry::p(ray.at);
+    j.measured = true;
+    j.drift = d;
+    j.drift_sigma = noise_factor * ray.sigma.maxCoeff();
     const double one_px = deviation_along(e, one_pixel(camera));
     // Eq. (10), with the travel inside e
     j.inverse_depth = e.dot(d) / (length * length);

@@ -6,6 +6,8 @@
 namespace flownav::pipeline {
 namespace {
 
+using Eigen::Vector2d;
+
 /// Pose of the robot `share` of the way through a motion, in the frame where it began.
 Pose2 part_of(const EgoMotion& motion, double share) {
     return along_arc(share * motion.omega_rad, share * motion.forward_m);
@@ -20,6 +22,7 @@ void count_fate(BlockCounts& counts, BlockFate fate) {
     counts.obstacle += fate == BlockFate::Obstacle;
     counts.eliminated += fate == BlockFate::Eliminated;
     counts.unsupported += fate == BlockFate::Unsupported;
+    counts.moving += fate == BlockFate::Moving;
 }
 
 }  // namespace
@@ -33,7 +36,10 @@ void judge_blocks(State::Impl& s) {
         if (block.image_of_cycle == 0) continue;
         const ImageOfCycle& image = s.cycle[block.image_of_cycle - 1];
         s.judgements[i] = judge(block.ray, camera, image.motion, image.noise_factor, s.params.obstacles);
+        s.judgements[i].drift /= block.image_of_cycle;
+        s.judgements[i].drift_sigma /= block.image_of_cycle;
     }
+    mark_movers(s.judgements, s.layout.neighbours, s.movers);
     confirm_by_neighbours(s.judgements, s.layout.neighbours, s.params.obstacles);
     for (std::size_t i = 0; i < s.layout.size(); ++i) {
         s.step.blocks[i].fate = s.judgements[i].fate;
@@ -41,6 +47,37 @@ void judge_blocks(State::Impl& s) {
         count_fate(s.step.counts, s.judgements[i].fate);
     }
 }
+
+namespace {
+
+/// Where a block of the running cycle is in its last field.
+Vector2d now_px(const State::Impl& s, const BlockRecord& block) {
+    const double images = static_cast<double>(s.cycle.size()) / block.image_of_cycle;
+    return block.vector.at_px + images * block.vector.flow_px;
+}
+
+/// Points of what moves by itself, at the range of its lowest row.
+void publish_movers(State::Impl& s) {
+    for (int region = 0; region < s.movers.regions; ++region) {
+        const Vector2d half_block(0.0, block_px / 2.0);
+        Vector2d lowest_px(0.0, -1.0);
+        for (std::size_t i = 0; i < s.layout.size(); ++i) {
+            if (s.movers.region_of[i] != region) continue;
+            const Vector2d edge_px = now_px(s, s.step.blocks[i]) + half_block;
+            if (edge_px.y() > lowest_px.y()) lowest_px = edge_px;
+        }
+        const auto contact = ground_contact(lowest_px, s.newest.mapper);
+        if (!contact) continue;
+        for (std::size_t i = 0; i < s.layout.size(); ++i) {
+            if (s.movers.region_of[i] != region) continue;
+            const auto point =
+                moving_point(now_px(s, s.step.blocks[i]), *contact, s.newest.mapper, s.params.obstacles);
+            if (point) s.step.obstacles.push_back(*point);
+        }
+    }
+}
+
+}  // namespace
 
 void publish_obstacles(State::Impl& s) {
     const Pose2 T_end_reference = inverse(part_of(s.cycle.back().motion, 1.0));
@@ -62,6 +99,7 @@ void publish_obstacles(State::Impl& s) {
             if (patch) out.ground.push_back(*patch);
         }
     }
+    publish_movers(s);
     fill_scan(out.scan, out.obstacles, out.ground);
 }
 

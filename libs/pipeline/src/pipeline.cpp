@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "field_quality.h"
 #include "flownav/obstacles/virtual_scan.h"
@@ -15,11 +16,14 @@ namespace {
 using Eigen::Vector2d;
 using Impl = State::Impl;
 
-constexpr int confident_min = 16;           // vectors; with fewer there is no texture to speak of
-constexpr double expected_share = 0.2;      // of the image's cells must agree with a motion as predicted,
+constexpr int confident_min = 12;  // vectors; with fewer there is no texture to speak of
+constexpr int inliers_min = 10;
+constexpr double expected_share = 0.3;      // of the image's cells must agree with a motion as predicted,
 constexpr double unexpected_share = 0.5;    // and with any other
 constexpr double turn_change_radps2 = 2.0;  // of a robot, at the most
 constexpr double hold_s = 0.5;              // a prediction outlives so long whatever covers the view
+constexpr int failures_max = 2;             // in a row; then a newer reference is better
+constexpr int blind_cycle_images = 3;       // while the speed, and with it the flow to come, is unknown
 constexpr std::size_t coarse_step = 3;      // the search looks at every third block
 constexpr double speed_drift_per_s = 0.3;   // relative; how fast a speed that is carried over loses its worth
 
@@ -50,6 +54,8 @@ void begin_cycle(Impl& s) {
     std::swap(s.reference, s.newest);
     s.cycle.clear();
     s.has_reference = true;
+    s.failures = 0;
+    s.last_measured = {EgoMotion{}, s.reference.field.timestamp_s};
     s.T_start_reference = s.step.T_start_robot;
 }
 
@@ -80,7 +86,7 @@ void restart(Impl& s, bool new_camera) {
 /// move along, or the last motion must be long gone.
 bool credible(const Impl& s, const Measurement& m, double since_last_s) {
     const MotionEstimate& e = m.estimate;
-    if (e.motion.inliers < confident_min / 2) return false;
+    if (e.motion.inliers < inliers_min) return false;
     const bool prediction_worthless = !s.rates.known || s.rates.held_s + since_last_s > hold_s;
     if (e.as_predicted && !prediction_worthless) return e.support_share >= expected_share;
     return e.support_share >= unexpected_share && (prediction_worthless || e.motion.forward_measured);
@@ -133,6 +139,7 @@ void accept_motion(Impl& s, bool is_credible, const MotionPrediction& prediction
     s.rates.held_s = out.status == FieldStatus::Ok ? 0.0 : s.rates.held_s + since_last_s;
     const EgoMotion& measured = s.measured.estimate.motion;
     out.motion = out.status == FieldStatus::Ok ? measured : unmeasured_motion(prediction);
+    s.rates.v_known |= out.motion.forward_measured;
     if (out.motion.forward_measured) {
         s.rates.sigma_v_relative =
             out.motion.sigma_forward_m / std::max(std::abs(out.motion.forward_m), 1e-6);
@@ -145,19 +152,32 @@ void accept_motion(Impl& s, bool is_credible, const MotionPrediction& prediction
     s.cycle.push_back({out.motion, s.measured.estimate.noise_factor});
 }
 
+/// True when a cycle has to end before its time: the view has changed so much that few of its first vectors
+/// are left, or two images could not be compared with the reference.
+bool worn_out(Impl& s) {
+    const EgoMotion& motion = s.step.motion;
+    const bool ok = s.step.status == FieldStatus::Ok;
+    s.failures = ok ? 0 : s.failures + 1;
+    if (ok && s.step.image_of_cycle == 1) s.first_inliers = motion.inliers;
+    return s.failures >= failures_max || (ok && 2 * motion.inliers < s.first_inliers);
+}
+
 /// Rates and odometry from the motion since the reference.
 void publish_motion(Impl& s, double since_last_s) {
     Step& out = s.step;
-    const EgoMotion before = s.cycle.size() > 1 ? s.cycle[s.cycle.size() - 2].motion : EgoMotion{};
-    out.omega_radps = (out.motion.omega_rad - before.omega_rad) / since_last_s;
-    out.pitch_rate_radps = (out.motion.pitch_rad - before.pitch_rad) / since_last_s;
+    const EgoMotion& before = s.last_measured.motion;
+    const double since_measured_s = out.timestamp_s - s.last_measured.timestamp_s;
+    out.omega_radps = (out.motion.omega_rad - before.omega_rad) / since_measured_s;
+    out.pitch_rate_radps = (out.motion.pitch_rad - before.pitch_rad) / since_measured_s;
     out.v_mps = out.motion.forward_m / seconds_since_reference(s);
-    out.cycle_images = plan_cycle(s.params.rate, out.v_mps * since_last_s);
-    out.end_of_cycle = out.image_of_cycle >= out.cycle_images;
+    out.cycle_images =
+        s.rates.v_known ? plan_cycle(s.params.rate, out.v_mps * since_last_s) : blind_cycle_images;
+    out.end_of_cycle = out.image_of_cycle >= out.cycle_images || worn_out(s);
     out.v_measured = out.motion.forward_measured && out.end_of_cycle;
     out.T_start_robot = compose(s.T_start_reference, along_arc(out.motion.omega_rad, out.motion.forward_m));
     s.rates.omega_radps = out.omega_radps;
     s.rates.v_mps = out.v_mps;
+    if (out.status == FieldStatus::Ok) s.last_measured = {out.motion, out.timestamp_s};
 }
 
 /// A field that shows nothing: the rates carry the odometry on, the reference stays.
@@ -181,9 +201,17 @@ void clear_outputs(Step& out) {
     for (BlockRecord& block : out.blocks) block.fresh = false;
 }
 
+Matcher own_matcher(const Params& params) {
+    if (params.flow.matcher != MatcherKind::Sad)
+        throw std::invalid_argument(
+            "flow.matcher = lk: the pipeline itself has no such matcher; give it one, or use make_state() of "
+            "flownav::sensor");
+    return BlockMatcher(params.flow, params.threads);
+}
+
 }  // namespace
 
-State::State(const Params& params) : State(params, BlockMatcher(params.flow, params.threads)) {}
+State::State(const Params& params) : State(params, own_matcher(params)) {}
 State::State(const Params& params, Matcher matcher) : impl_(std::make_unique<Impl>()) {
     impl_->params = params;
     impl_->matcher = std::move(matcher);

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "flownav/flow/block_layout.h"
-#include "flownav/obstacles/judge.h"
+#include "flownav/obstacles/movers.h"
 #include "flownav/pipeline/pipeline.h"
 #include "measure.h"
 
@@ -19,6 +19,7 @@ struct Rates {
     double omega_radps = 0.0;
     double v_mps = 0.0;
     double sigma_v_relative = 1.0;  ///< of v_mps; 1: not known at all
+    bool v_known = false;           ///< v_mps has been measured
     bool known = false;             ///< omega_radps has been measured
     double held_s = 0.0;            ///< for so long it was not
 };
@@ -37,11 +38,18 @@ struct State::Impl {
     BlockLayout coarse_layout;  ///< every few blocks of it, for the search without prediction
     Rates rates;
     Pose2 T_start_reference;
+    struct {
+        EgoMotion motion;
+        double timestamp_s = 0.0;
+    } last_measured;                  ///< of this cycle; the reference when nothing else
+    int first_inliers = 0;            ///< of the cycle's first image
+    int failures = 0;                 ///< images in a row that could not be compared
     std::vector<ImageOfCycle> cycle;  ///< images 1..j of the running cycle
 
     Measurement measured;  ///< of the newest field
     Measurement trial;     ///< of a hypothesis
     std::vector<Judgement> judgements;
+    MoverRegions movers;  ///< among the blocks of the running cycle
     Step step;
 };
 

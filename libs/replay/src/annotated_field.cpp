@@ -30,13 +30,14 @@ struct Style {
 };
 
 /// In the order they are drawn: what matters most lies on top.
-const std::array<Style, 6>& styles() {
-    static const std::array<Style, 6> all = {{
+const std::array<Style, 7>& styles() {
+    static const std::array<Style, 7> all = {{
         {BlockFate::Sifted, {150, 150, 150}, "ambiguous"},
         {BlockFate::Unjudged, {233, 180, 86}, "unjudged"},
         {BlockFate::Ground, {115, 158, 0}, "ground"},
         {BlockFate::Eliminated, {167, 121, 204}, "eliminated"},
         {BlockFate::Unsupported, {66, 228, 240}, "unsupported"},
+        {BlockFate::Moving, {178, 114, 0}, "moving"},
         {BlockFate::Obstacle, {0, 94, 213}, "obstacle"},
     }};
     return all;
@@ -77,7 +78,8 @@ bool drawn(const pipeline::BlockRecord& block, BlockFate fate) {
 
 void tint_blocks(cv::Mat& picture, const pipeline::Step& step, const Scale& scale, const Style& style) {
     const Eigen::Vector2d half(block_px / 2.0, block_px / 2.0);
-    const bool strong = style.fate == BlockFate::Obstacle || style.fate == BlockFate::Unsupported;
+    const bool strong = style.fate == BlockFate::Obstacle || style.fate == BlockFate::Moving ||
+                        style.fate == BlockFate::Unsupported;
     for (const auto& block : step.blocks) {
         if (!drawn(block, style.fate) || style.fate == BlockFate::Sifted) continue;
         const Eigen::Vector2d now = block.vector.at_px + block.vector.flow_px;

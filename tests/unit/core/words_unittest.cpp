@@ -21,7 +21,7 @@ TEST(Words, EveryFateHasItsOwn) {
     std::set<std::string> words;
     for (int i = 0; i <= static_cast<int>(BlockFate::Unjudged); ++i)
         words.insert(to_string(static_cast<BlockFate>(i)));
-    EXPECT_EQ(words.size(), 7U);
+    EXPECT_EQ(words.size(), 8U);
     EXPECT_EQ(words.count("unknown"), 0U);
 }
 

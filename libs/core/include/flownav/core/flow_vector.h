@@ -27,6 +27,7 @@ enum class BlockFate {
     Eliminated,   ///< Eq. (11): the vector does not point away from the focus of expansion
     Ground,       ///< agrees with the ground plane
     Obstacle,     ///< Eq. (13) holds and neighbours agree
+    Moving,       ///< belongs to something that moves by itself
     Unsupported,  ///< Eq. (13) holds but no neighbour agrees
     Unjudged,     ///< consistent, but neither ground nor obstacle can be told (e.g. far, or T unknown)
 };

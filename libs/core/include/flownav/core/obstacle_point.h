@@ -8,6 +8,7 @@ struct ObstaclePoint {
     Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
     double sigma_m = 0.0;                             ///< standard deviation of the range
     Eigen::Vector2d at_px = Eigen::Vector2d::Zero();  ///< its block's place in the cycle's LAST field
+    bool moving = false;  ///< it moves by itself: the range is that of its contact with the ground
 };
 
 /// A patch of floor that was seen to be floor: a short segment on the ground along the line of sight, in the

@@ -16,6 +16,9 @@ struct Judgement {
     double inverse_depth = 0.0;  ///< 1/Z at the mid-point of the vector, 1/m
     double sigma = 0.0;          ///< standard deviation of inverse_depth, 1/m
     double excess_px = 0.0;      ///< Eq. (13): longer than on the ground by so many pixels
+    Eigen::Vector2d drift = Eigen::Vector2d::Zero();  ///< d of Eq. (9), an image, on the normalised plane
+    double drift_sigma = 0.0;                         ///< standard deviation of drift in its worse direction
+    bool measured = false;                            ///< false: there is no vector
 };
 
 /// Eliminates by (11) and decides by (13). `noise_factor`: errors of this image over what the deviations of

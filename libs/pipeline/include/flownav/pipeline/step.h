@@ -33,6 +33,7 @@ struct BlockCounts {
     int obstacle = 0;
     int eliminated = 0;
     int unsupported = 0;
+    int moving = 0;
 };
 
 /// The record of one field: every intermediate product of field -> flow -> ego-motion -> obstacles.
