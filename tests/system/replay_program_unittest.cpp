@@ -181,6 +181,17 @@ TEST_F(ReplayProgram, SettingsOnTheCommandLineComeAfterTheFile) {
     EXPECT_EQ(summary()["config"]["obstacles"]["tau_px"], "2");
 }
 
+TEST_F(ReplayProgram, BothMatchersDriveThroughTheCorridor) {
+    for (const std::string matcher : {"sad", "lk"}) {
+        ASSERT_EQ(replay(corridor, {"--quiet", "--set", "flow.matcher=" + matcher}).status, 0);
+        const auto json = summary();
+        EXPECT_EQ(json["config"]["flow"]["matcher"], matcher);
+        EXPECT_EQ(json["timing"]["kernel"] == "opencv", matcher == "lk");
+        EXPECT_LT(json["errors"]["ground_truth"]["omega_rms_degps"], 0.2) << matcher;
+        EXPECT_GT(json["written"]["obstacle_points"], 50) << matcher;
+    }
+}
+
 TEST_F(ReplayProgram, MemoryStaysFlatOverALongRecording) {
 #ifdef __SANITIZE_ADDRESS__
     GTEST_SKIP() << "the address sanitizer keeps what was freed";

@@ -9,6 +9,7 @@
 #include "flownav/replay/drive.h"
 #include "flownav/replay/number_text.h"
 #include "flownav/replay/outputs.h"
+#include "flownav/sensor/make_state.h"
 
 namespace flownav {
 
@@ -51,9 +52,10 @@ std::string listed(const std::map<std::string, std::uint64_t>& counts) {
 
 class Run {
   public:
-    explicit Run(const ReplayOptions& options) : options_(options), state_(options.config.pipeline) {
+    explicit Run(const ReplayOptions& options) : options_(options), state_(make_state(options.config)) {
         timing_.threads = options.config.pipeline.threads;
-        timing_.kernel = pipeline::kernel_name();
+        const bool own = options.config.pipeline.flow.matcher == MatcherKind::Sad;
+        timing_.kernel = own ? pipeline::kernel_name() : "opencv";
         drive_.input_name = options.input.filename().string();
     }
 

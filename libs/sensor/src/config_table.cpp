@@ -50,15 +50,6 @@ Key distortion() {
         [](Config& config, const std::string& text) { config.camera.distortion = parse_distortion(text); });
 }
 
-Key matcher() {
-    return make_key(
-        {"flow", "matcher", "", "how vectors are measured: sum of absolute differences of 16x16 blocks"},
-        "sad", [](const Config&) { return "sad"; },
-        [](Config&, const std::string& text) {
-            if (text != "sad") throw BadValue("is none of the words");
-        });
-}
-
 std::vector<Key> camera_keys() {
     return {
         label(),
@@ -93,7 +84,9 @@ std::vector<Key> camera_keys() {
 
 std::vector<Key> flow_keys() {
     return {
-        matcher(),
+        word<MatcherKind>(
+            {"flow", "matcher", "", "how vectors are measured: sum of absolute differences, or Lucas-Kanade"},
+            {{"sad", MatcherKind::Sad}, {"lk", MatcherKind::Lk}}, AT(pipeline.flow.matcher)),
         number<int>({"flow", "blocks", "", "blocks placed in the image"}, {16, 2000},
                     AT(pipeline.flow.blocks)),
         word<Subpixel>({"flow", "subpixel", "", "refinement of a match: integer, two lines, or a parabola"},
