@@ -79,6 +79,13 @@ void add_rails(World& world, const std::vector<Pose2>& way) {
     }
 }
 
+/// What the loop leads around.
+void add_island(World& world) {
+    Random random(mix(world.ground.seed, 29));
+    add(world, placed(make_rail(2.2, random), {1.3, 1.75}, 0.0, first_rail, random));
+    add(world, placed(make_chair(random), {3.3, 1.75}, 0.6, first_rail + 1, random));
+}
+
 /// Boxes beside the wheels, so near that they stand in the part of the image that shows the ground right
 /// before the robot.
 void add_near_boxes(World& world, const std::vector<Pose2>& path) {
@@ -133,7 +140,7 @@ Thing make_mover(const SceneOptions& options, Random& random) {
     box.half_y_m = 0.5 * options.mover.width_m;
     box.z_high_m = 1.7;
     box.texture = {Surface::Patterned, 1.0, 0};
-    Thing thing = placed({box}, {1.95, options.mover.start_left_m}, 0.0, 50, random);
+    Thing thing = placed({box}, {options.mover.ahead_m, options.mover.start_left_m}, 0.0, 50, random);
     thing.front().velocity_mps = {options.speed_mps, -options.mover.speed_mps};
     thing.front().kind = ThingKind::Mover;
     return thing;
@@ -154,6 +161,7 @@ World make_world(const SceneOptions& options, const std::vector<Pose2>& path) {
     add_room(walls, way, corridor ? 1.0 : 2.0, corridor ? 1.25 : 2.6, random);
     const double reach_m = corridor ? 1.0 : 2.1;
     const int wanted = static_cast<int>(std::lround(length_m * (corridor ? 1.6 : 1.8)));
+    if (options.kind == SceneKind::Loop) add_island(world);
     if (options.rails) add_rails(world, way);
     if (options.near_boxes) add_near_boxes(world, path);
     add_things(world, options, way, wanted, reach_m, random);

@@ -1,6 +1,7 @@
 #include "path.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace flownav::testing {
@@ -20,6 +21,21 @@ double turning(double time_s) {
     return std::fmod(piece, 2.0) < 1.0 ? share : -share;
 }
 
+/// Sides of the loop and, between them, quarter circles to the left.
+constexpr std::array<double, 2> loop_sides_m = {3.5, 1.5};
+constexpr double loop_radius_m = 1.0;
+
+double loop_curvature_per_m(double way_m) {
+    constexpr double quarter_m = loop_radius_m * M_PI / 2.0;
+    for (std::size_t side = 0; side < 4; ++side) {
+        way_m -= loop_sides_m.at(side % 2);
+        if (way_m < 0.0) return 0.0;
+        way_m -= quarter_m;
+        if (way_m < 0.0) return 1.0 / loop_radius_m;
+    }
+    return 0.0;
+}
+
 /// Turn rate of the robot.
 double omega_radps(const SceneOptions& options, double time_s) {
     switch (options.kind) {
@@ -29,6 +45,8 @@ double omega_radps(const SceneOptions& options, double time_s) {
             return options.turn_radps * turning(time_s);
         case SceneKind::Corridor:
             return 6.0 * degree * std::cos(2.0 * M_PI * time_s / 4.0);
+        case SceneKind::Loop:
+            return options.speed_mps * loop_curvature_per_m(options.speed_mps * time_s);
         default:
             return 0.0;
     }

@@ -19,9 +19,10 @@ CameraModel wide_camera() {
     return camera;
 }
 
-void with_mover(SceneOptions& options, double speed_mps, double width_m, double start_left_m) {
+void with_mover(SceneOptions& options, const MoverOptions& mover) {
     options.kind = SceneKind::Mover;
-    options.mover = {speed_mps, width_m, start_left_m};
+    options.mover = mover;
+    options.images = 240;
 }
 
 std::vector<Preset> floors() {
@@ -46,9 +47,13 @@ std::vector<Preset> drives() {
         {"vibration03", "pitch vibration, 0.3 deg rms from image to image",
          [](SceneOptions& o) { o.effects.pitch_vibration_rad = 0.3 * degree; }},
         {"mover25", "a trolley 1.5 m wide crosses ahead at 0.25 m/s",
-         [](SceneOptions& o) { with_mover(o, 0.25, 1.5, 1.6); }},
-        {"mover45", "a trolley 2 m wide crosses ahead at 0.45 m/s",
-         [](SceneOptions& o) { with_mover(o, 0.45, 2.0, 2.4); }},
+         [](SceneOptions& o) {
+             with_mover(o, {0.25, 1.5, 1.6, 1.95});
+         }},
+        {"mover45", "a trolley 2.3 m wide crosses ahead at 0.45 m/s",
+         [](SceneOptions& o) {
+             with_mover(o, {0.45, 2.3, 2.9, 2.4});
+         }},
         {"near-obstacle", "boxes inside the ground window, 0.28 m beside the path",
          [](SceneOptions& o) { o.near_boxes = true, o.turn_radps = 6.0 * degree; }},
     };

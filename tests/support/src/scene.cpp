@@ -87,6 +87,8 @@ const char* to_string(SceneKind kind) {
             return "stop-and-go";
         case SceneKind::Mover:
             return "mover";
+        case SceneKind::Loop:
+            return "loop";
     }
     return "";
 }

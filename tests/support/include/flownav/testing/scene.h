@@ -21,11 +21,12 @@ enum class SceneKind : std::uint8_t {
     Corridor,   ///< a gentle weave through a corridor with boxes and poles
     StopAndGo,  ///< straight, standing still again and again
     Mover,      ///< straight, with a large box crossing ahead
+    Loop,       ///< once around a railing and a chair: 16.3 m
 };
 
-constexpr std::array<SceneKind, 7> all_scene_kinds = {
+constexpr std::array<SceneKind, 8> all_scene_kinds = {
     SceneKind::Free,     SceneKind::Straight,  SceneKind::SCurve, SceneKind::Turns,
-    SceneKind::Corridor, SceneKind::StopAndGo, SceneKind::Mover};
+    SceneKind::Corridor, SceneKind::StopAndGo, SceneKind::Mover,  SceneKind::Loop};
 
 const char* to_string(SceneKind kind);
 std::optional<SceneKind> scene_kind(const std::string& name);
@@ -35,6 +36,7 @@ struct MoverOptions {
     double speed_mps = 0.25;  ///< across, to the right
     double width_m = 1.5;
     double start_left_m = 1.3;  ///< of the robot's line, its middle
+    double ahead_m = 1.95;      ///< of the robot, its middle
 };
 
 struct SceneOptions {
