@@ -72,9 +72,34 @@ void new_layout(Impl& s) {
     s.step.scan = scan_layout(s.newest.mapper, s.params.obstacles);
 }
 
+/// What is learnt of the pitch is used from the next cycle on, by its reference and all that is compared with
+/// it.
+void correct_pitch(Impl& s, HeldField& held) {
+    s.step.pitch_correction_rad = s.pitch.correction_rad();
+    if (s.pitch.correction_rad() == 0.0) return;
+    held.field.camera.mount.pitch_rad = s.camera.mount.pitch_rad + s.pitch.correction_rad();
+    held.mapper = RayMapper(held.field.camera);
+}
+
+/// Images of the second half of a cycle, so that vectors of the same block end anywhere in a pixel.
+void observe_pitch(Impl& s) {
+    if (!s.params.pitch_online || s.step.status != FieldStatus::Ok) return;
+    if (2 * s.step.image_of_cycle < s.step.cycle_images) return;
+    s.pitch.observe(s.measured.samples, s.reference.field.camera, s.step.motion, s.params.motion.geometry);
+}
+
+void learn_pitch(Impl& s) {
+    if (!s.params.pitch_online) return;
+    s.pitch.learn(s.step.motion);
+    const double in_use_rad = s.step.pitch_correction_rad;
+    correct_pitch(s, s.reference);
+    s.step.pitch_correction_rad = in_use_rad;
+}
+
 /// A new chain: nothing before this field can be compared with it.
 void restart(Impl& s, bool new_camera) {
     if (new_camera) new_layout(s);
+    if (new_camera) s.camera = s.newest.field.camera;
     s.step.restarted = s.has_reference;
     s.step.status = FieldStatus::Waiting;
     s.rates = {};
@@ -230,8 +255,10 @@ const Step& step(State& state, const Field& field) {
         return s.step;
     }
     const double since_last_s = s.has_reference ? field.timestamp_s - last_picture_s(s) : 0.0;
+    const bool new_camera = !s.has_reference || !same_geometry(s.camera, field.camera);
+    if (new_camera) s.pitch.restart();
     s.newest = {field, RayMapper(field.camera)};
-    const bool new_camera = !s.has_reference || !same_geometry(s.reference.field.camera, field.camera);
+    correct_pitch(s, s.newest);
     if (new_camera || since_last_s > s.params.rate.gap_max_s) {
         restart(s, new_camera);
         return s.step;
@@ -245,9 +272,11 @@ const Step& step(State& state, const Field& field) {
     accept_motion(s, is_credible, prediction, since_last_s);
     publish_motion(s, since_last_s);
     judge_blocks(s);
+    observe_pitch(s);
     if (s.step.end_of_cycle) {
         publish_obstacles(s);
         begin_cycle(s);
+        learn_pitch(s);
     }
     return s.step;
 }

@@ -5,6 +5,7 @@
 #include "flownav/obstacles/movers.h"
 #include "flownav/pipeline/pipeline.h"
 #include "measure.h"
+#include "pitch_online.h"
 
 namespace flownav::pipeline {
 
@@ -33,6 +34,8 @@ struct State::Impl {
     HeldField reference;
     HeldField newest;
     bool has_reference = false;
+    CameraModel camera;  ///< of the layout, as it came with its field
+    PitchOnline pitch;
 
     BlockLayout layout;
     BlockLayout coarse_layout;  ///< every few blocks of it, for the search without prediction

@@ -112,6 +112,8 @@ std::vector<Key> motion_keys() {
         word<MotionModel>({"motion", "motion_model", "", "rotations that are estimated"},
                           {{"yaw", MotionModel::Yaw}, {"yaw_pitch", MotionModel::YawPitch}},
                           AT(pipeline.motion.model)),
+        word<bool>({"motion", "pitch_online", "", "learn the camera's true pitch while driving"},
+                   {{"true", true}, {"false", false}}, AT(pipeline.pitch_online)),
         number_or_word(
             {"motion", "cycle_images", "", "images compared with one reference; auto: from the speed"},
             {1, 16}, 0, "auto", AT(pipeline.rate.cycle_images)),

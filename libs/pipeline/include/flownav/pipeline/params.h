@@ -16,7 +16,8 @@ struct Params {
     MotionParams motion;
     ObstacleParams obstacles;
     RateParams rate;
-    int threads = 1;  ///< of the block matching; the result does not depend on it
+    bool pitch_online = false;  ///< learn the camera's true pitch while driving
+    int threads = 1;            ///< of the block matching; the result does not depend on it
 };
 
 }  // namespace flownav::pipeline

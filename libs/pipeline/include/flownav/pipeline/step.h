@@ -48,8 +48,9 @@ struct Step {
     double pitch_rate_radps = 0.0;  ///< from the previous field to this one, > 0 raises the view
     double v_mps = 0.0;             ///< mean forward speed since the reference
     bool v_measured = false;        ///< a cycle ended here and measured it; false: predicted or carried over
-    EgoMotion motion;               ///< from the cycle's reference to this field
-    Pose2 T_start_robot;            ///< flow odometry; identity at the first field
+    double pitch_correction_rad = 0.0;  ///< added to the pitch of the field's camera (pitch_online)
+    EgoMotion motion;                   ///< from the cycle's reference to this field
+    Pose2 T_start_robot;                ///< flow odometry; identity at the first field
     BlockCounts counts;
     std::vector<BlockRecord> blocks;
     std::vector<ObstaclePoint> obstacles;  ///< robot frame at timestamp_s; only at the end of a cycle

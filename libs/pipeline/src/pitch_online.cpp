@@ -1,0 +1,46 @@
+#include "pitch_online.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flownav::pipeline {
+namespace {
+
+constexpr double deg = M_PI / 180;
+constexpr double gain_min = 0.1;
+constexpr double variance_gain = 0.1;
+constexpr double variance_min_rad2 = 0.003 * deg * 0.003 * deg;
+constexpr int ground_vectors_min = 40;
+constexpr double ground_share_min = 0.6;  // of the vectors where the near floor is expected
+constexpr double noise_factor_max = 2.0;
+constexpr double sigma_max_rad = 0.5 * deg;
+constexpr double innovation_max_rad = 1.0 * deg;
+constexpr double correction_max_rad = 5.0 * deg;
+
+}  // namespace
+
+void PitchOnline::observe(const std::vector<MotionSample>& samples, const CameraModel& camera,
+                          const EgoMotion& motion, Geometry geometry) {
+    if (!motion.forward_measured) return;
+    rays_.clear();
+    for (const MotionSample& sample : samples) rays_.push_back(sample.ray);
+    const Steadiness steadiness{std::sqrt(pitch_variance_rad2_), std::numeric_limits<double>::infinity()};
+    const PairFit fit = fit_pair(rays_, camera, motion, geometry, steadiness, scratch_);
+    const bool plain_floor = fit.equations.pairs > 0 && fit.ground_vectors >= ground_vectors_min &&
+                             fit.ground_vectors >= ground_share_min * fit.near_vectors &&
+                             fit.noise_factor <= noise_factor_max;
+    if (plain_floor) cycle_ += fit.equations;
+}
+
+void PitchOnline::learn(const EgoMotion& motion) {
+    const PoseCorrection found = solve(only(cycle_, {true, false, false}));
+    cycle_ = {};
+    pitch_variance_rad2_ += variance_gain * (motion.pitch_rad * motion.pitch_rad - pitch_variance_rad2_);
+    pitch_variance_rad2_ = std::max(pitch_variance_rad2_, variance_min_rad2);
+    if (found.sigma_rad[0] > sigma_max_rad) return;
+    const double gain = std::max(gain_min, 1.0 / ++cycles_);
+    correction_rad_ += gain * std::clamp(found.correction_rad[0], -innovation_max_rad, innovation_max_rad);
+    correction_rad_ = std::clamp(correction_rad_, -correction_max_rad, correction_max_rad);
+}
+
+}  // namespace flownav::pipeline
