@@ -21,6 +21,7 @@ EgoMotion unmeasured_motion(const MotionPrediction& prediction) {
     EgoMotion m;
     m.omega_rad = prediction.omega_rad;
     m.pitch_rad = prediction.pitch_rad;
+    m.chord_rad = prediction.chord_rad;
     m.forward_m = prediction.forward_m;
     return m;
 }
@@ -32,10 +33,11 @@ MotionEstimate estimate_motion(const std::vector<MotionSample>& samples, const C
     EgoMotion& m = estimate.motion;
     m = unmeasured_motion(prediction);
     if (samples.empty()) return estimate;
-    Turn turn;
+    Turn turn{m.omega_rad, m.pitch_rad};
     for (int round = 0; round < travel_rounds; ++round) {
-        const Vector2d direction = direction_of(camera_travel(camera.mount, m.forward_m, m.omega_rad));
-        set_up_rotation(samples, camera, direction, scratch);
+        const Vector2d direction =
+            direction_of(camera_travel(camera.mount, m.forward_m, m.omega_rad, m.chord_rad));
+        set_up_rotation(samples, camera, direction, turn, params.geometry, scratch);
         if (round == 0) {
             const Consensus start = start_rotation(samples, camera, direction, prediction, params, scratch);
             turn = start.turn;
@@ -43,7 +45,7 @@ MotionEstimate estimate_motion(const std::vector<MotionSample>& samples, const C
         }
         const Rotation r = fit_rotation(turn, params, scratch);
         turn = r.turn;
-        const Travel t = fit_travel(samples, camera, direction, r, params.lambda_px, scratch);
+        const Travel t = fit_travel(samples, camera, direction, r, params, scratch);
         m = unmeasured_motion(prediction);
         m.omega_rad = r.turn.omega_rad;
         m.pitch_rad = r.turn.pitch_rad;

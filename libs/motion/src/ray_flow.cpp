@@ -14,7 +14,7 @@ RayFlow ray_flow(const FlowVector& vector, const RayMapper& reference, const Ray
 
 Vector2d predicted_ground_flow(const PlaneGeometry& plane, const CameraMount& mount, const Vector2d& at,
                                const MotionPrediction& motion) {
-    const Vector2d travel = camera_travel(mount, motion.forward_m, motion.omega_rad);
+    const Vector2d travel = camera_travel(mount, motion.forward_m, motion.omega_rad, motion.chord_rad);
     Vector2d flow = Vector2d::Zero();
     for (int i = 0; i < 3; ++i) {  // the mid-point depends on the vector: three rounds settle it
         const Vector2d mid = at + flow / 2;

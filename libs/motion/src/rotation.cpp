@@ -77,17 +77,25 @@ double omega_of(const RayFlow& ray, const PlaneGeometry& plane, const Vector2d& 
 
 // The part of f = (S/Z) e + omega h + pitch p across e knows neither S nor Z: one equation a vector.
 void set_up_rotation(const std::vector<MotionSample>& samples, const CameraModel& camera,
-                     const Vector2d& direction, MotionScratch& scratch) {
+                     const Vector2d& direction, const Turn& near, Geometry geometry, MotionScratch& scratch) {
     const PlaneGeometry plane(camera.mount);
+    const Derotation derotated(plane, near.omega_rad, near.pitch_rad, geometry);
     scratch.across.clear();
     for (const MotionSample& s : samples) {
-        const Vector2d e = plane.e(s.ray.at, direction);
+        const RayFlow travel = derotated(s.ray);
+        const Vector2d e = plane.e(travel.at, direction);
         if (e.norm() < 1e-6) continue;
         const double deviation = deviation_across(e, s.ray.sigma);
         const double unit = e.norm() * deviation;
-        scratch.across.push_back({cross(e, plane.h(s.ray.at)) / unit,
-                                  cross(e, PlaneGeometry::p(s.ray.at)) / unit, cross(e, s.ray.flow) / unit,
-                                  1.0, deviation / deviation_across(e, one_pixel(camera)), s.ray.at, 0});
+        MotionScratch::Across row;
+        row.turn = cross(e, plane.h(travel.at)) / unit;
+        row.pitch = cross(e, PlaneGeometry::p(travel.at)) / unit;
+        row.measured = cross(e, travel.flow) / unit + row.turn * near.omega_rad + row.pitch * near.pitch_rad;
+        row.weight = 1.0;
+        row.deviation_px = deviation / deviation_across(e, one_pixel(camera));
+        row.at = s.ray.at;
+        row.cell = 0;
+        scratch.across.push_back(row);
     }
     assign_cells(scratch.across);
 }

@@ -12,10 +12,11 @@ struct Rotation {
 };
 
 /// The equations across e of all samples, in scratch.across. They are (4) before its division, each in units
-/// of its deviation: the horizon is no special place for them. `direction`: unit vector of the camera's
-/// travel, (forward, left).
+/// of its deviation: the horizon is no special place for them. Linear in the rotation about `near`, which
+/// makes them exact there. `direction`: unit vector of the camera's travel, (forward, left).
 void set_up_rotation(const std::vector<MotionSample>& samples, const CameraModel& camera,
-                     const Eigen::Vector2d& direction, MotionScratch& scratch);
+                     const Eigen::Vector2d& direction, const Turn& near, Geometry geometry,
+                     MotionScratch& scratch);
 
 /// The rotation with the widest support among the samples.
 Consensus start_rotation(const std::vector<MotionSample>& samples, const CameraModel& camera,

@@ -21,20 +21,24 @@ double near_floor(const CameraModel& camera, const PlaneGeometry& plane) {
 
 /// Travel of every vector that looks at the near floor and fits the rotation.
 void floor_travels(const std::vector<MotionSample>& samples, bool window_only, const CameraModel& camera,
-                   const Vector2d& direction, const Rotation& r, double lambda_px, MotionScratch& scratch) {
+                   const Vector2d& direction, const Rotation& r, const MotionParams& params,
+                   MotionScratch& scratch) {
     const PlaneGeometry plane(camera.mount);
     const double near = near_floor(camera, plane);
+    const Derotation derotated(plane, r.turn.omega_rad, r.turn.pitch_rad, params.geometry);
     scratch.along.clear();
     for (const MotionSample& s : samples) {
-        if ((window_only && !s.in_ground_window) || plane.below_horizon(s.ray.at) < near) continue;
-        const Vector2d e = plane.e(s.ray.at, direction);
-        // Eq. (9)
-        const Vector2d d =
-            s.ray.flow - r.turn.omega_rad * plane.h(s.ray.at) - r.turn.pitch_rad * PlaneGeometry::p(s.ray.at);
-        if (std::abs(cross(e, d)) > lambda_px * e.norm() * deviation_across(e, one_pixel(camera))) continue;
+        if (window_only && !s.in_ground_window) continue;
+        const RayFlow travel = derotated(s.ray);
+        if (plane.below_horizon(travel.at) < near) continue;
+        const Vector2d e = plane.e(travel.at, direction);
+        const Vector2d& d = travel.flow;
+        // Eq. (11)
+        const double one_px_across = deviation_across(e, one_pixel(camera));
+        if (std::abs(cross(e, d)) > params.lambda_px * e.norm() * one_px_across) continue;
         // Eq. (10)
         const double travel_over_depth = e.dot(d) / e.squaredNorm();
-        const double ground = plane.ground_inverse_depth(s.ray.at);
+        const double ground = plane.ground_inverse_depth(travel.at);
         scratch.along.push_back(
             {travel_over_depth / ground, deviation_along(e, s.ray.sigma) / (e.norm() * ground)});
     }
@@ -70,12 +74,12 @@ Travel robust_mean(MotionScratch& scratch) {
 }  // namespace
 
 Travel fit_travel(const std::vector<MotionSample>& samples, const CameraModel& camera,
-                  const Vector2d& direction, const Rotation& rotation, double lambda_px,
+                  const Vector2d& direction, const Rotation& rotation, const MotionParams& params,
                   MotionScratch& scratch) {
-    floor_travels(samples, true, camera, direction, rotation, lambda_px, scratch);
+    floor_travels(samples, true, camera, direction, rotation, params, scratch);
     const Travel window = robust_mean(scratch);
     if (window.support >= window_support_min) return window;
-    floor_travels(samples, false, camera, direction, rotation, lambda_px, scratch);
+    floor_travels(samples, false, camera, direction, rotation, params, scratch);
     const Travel floor = robust_mean(scratch);
     return floor.support >= floor_support_min ? floor : Travel{};
 }

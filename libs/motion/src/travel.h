@@ -14,7 +14,7 @@ struct Travel {
 /// Eq. (12) over the ground window, or over all of the floor when the window shows too little: shorth for a
 /// start, then biweight steps.
 Travel fit_travel(const std::vector<MotionSample>& samples, const CameraModel& camera,
-                  const Eigen::Vector2d& direction, const Rotation& rotation, double lambda_px,
+                  const Eigen::Vector2d& direction, const Rotation& rotation, const MotionParams& params,
                   MotionScratch& scratch);
 
 }  // namespace flownav

@@ -15,32 +15,32 @@ constexpr double significance = 3.0;  // deviations by which an obstacle must st
 
 }  // namespace
 
-Judgement judge(const RayFlow& ray, const CameraModel& camera, const EgoMotion& motion, double noise_factor,
-                const ObstacleParams& params) {
+Judgement judge(const RayFlow& travel, const CameraModel& camera, const EgoMotion& motion,
+                double noise_factor, const ObstacleParams& params) {
     const PlaneGeometry plane(camera.mount);
-    const Vector2d travel = camera_travel(camera.mount, motion.forward_m, motion.omega_rad);
-    const Vector2d e = plane.e(ray.at, travel);  // in metres: S e of Eq. (3)
+    const Vector2d displacement =
+        camera_travel(camera.mount, motion.forward_m, motion.omega_rad, motion.chord_rad);
+    const Vector2d e = plane.e(travel.at, displacement);  // in metres: S e of Eq. (3)
+    const Vector2d& d = travel.flow;
     Judgement j;
+    j.at = travel.at;
     const double length = e.norm();
     j.fate = BlockFate::Unjudged;
     if (length < 1e-9) return j;
-    // Eq. (9)
-    const Vector2d d =
-        ray.flow - motion.omega_rad * plane.h(ray.at) - motion.pitch_rad * PlaneGeometry::p(ray.at);
     j.measured = true;
     j.drift = d;
-    j.drift_sigma = noise_factor * ray.sigma.maxCoeff();
+    j.drift_sigma = noise_factor * travel.sigma.maxCoeff();
     const double one_px = deviation_along(e, one_pixel(camera));
     // Eq. (10), with the travel inside e
     j.inverse_depth = e.dot(d) / (length * length);
-    const double deviation = noise_factor * deviation_along(e, ray.sigma);
+    const double deviation = noise_factor * deviation_along(e, travel.sigma);
     j.sigma = deviation / length;
     // Eq. (13)
-    const double ground = plane.ground_inverse_depth(ray.at);
+    const double ground = plane.ground_inverse_depth(travel.at);
     j.excess_px = (j.inverse_depth - ground) * length / one_px;
     // What the vector's own error and a speed that is not known well could explain of the excess.
     const double ground_px = ground * length / one_px;
-    const double travel_error = motion.sigma_forward_m / std::max(travel.norm(), 1e-9);
+    const double travel_error = motion.sigma_forward_m / std::max(displacement.norm(), 1e-9);
     const double tau_px =
         std::max(params.tau_px, significance * deviation / one_px) + 2.0 * travel_error * ground_px;
     // Eq. (11)

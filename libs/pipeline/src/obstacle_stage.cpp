@@ -35,7 +35,8 @@ void judge_blocks(State::Impl& s) {
         s.judgements[i].fate = block.fate;
         if (block.image_of_cycle == 0) continue;
         const ImageOfCycle& image = s.cycle[block.image_of_cycle - 1];
-        s.judgements[i] = judge(block.ray, camera, image.motion, image.noise_factor, s.params.obstacles);
+        s.judgements[i] =
+            judge(image.derotation(block.ray), camera, image.motion, image.noise_factor, s.params.obstacles);
         s.judgements[i].drift /= block.image_of_cycle;
         s.judgements[i].drift_sigma /= block.image_of_cycle;
     }
@@ -90,8 +91,8 @@ void publish_obstacles(State::Impl& s) {
         if (block.fate == BlockFate::Obstacle) {
             const Pose2 T_end_mid = compose(T_end_reference, part_of(motion, 0.5));
             const auto point =
-                obstacle_point(block.ray, s.judgements[i], block.vector.at_px + block.vector.flow_px,
-                               T_end_mid, mount, relative_travel_error(motion), s.params.obstacles);
+                obstacle_point(s.judgements[i], block.vector.at_px + block.vector.flow_px, T_end_mid, mount,
+                               relative_travel_error(motion), s.params.obstacles);
             if (point) out.obstacles.push_back(*point);
         } else if (block.fate == BlockFate::Ground) {
             const auto patch = ground_patch(block.vector.at_px, s.reference.mapper, T_end_reference,

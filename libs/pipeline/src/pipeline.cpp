@@ -36,6 +36,15 @@ double last_picture_s(const Impl& s) {
     return (s.cycle.empty() ? s.reference : s.newest).field.timestamp_s;
 }
 
+/// Direction of the chord of the running cycle that ends with heading `omega_rad`, from half of that: the
+/// mean heading of its images, at constant speed. A robot that begins or ends a turn does not move on a
+/// circle.
+double chord_direction(const std::vector<ImageOfCycle>& cycle, double omega_rad) {
+    double sum_rad = omega_rad / 2;
+    for (const ImageOfCycle& image : cycle) sum_rad += image.motion.omega_rad;
+    return sum_rad / static_cast<double>(cycle.size() + 1) - omega_rad / 2;
+}
+
 MotionPrediction predict(const Impl& s, double since_last_s) {
     MotionPrediction p;
     p.omega_rad = s.rates.omega_radps * since_last_s;
@@ -44,6 +53,7 @@ MotionPrediction predict(const Impl& s, double since_last_s) {
         p.omega_rad += s.cycle.back().motion.omega_rad;
         p.pitch_rad = s.cycle.back().motion.pitch_rad;
     }
+    p.chord_rad = chord_direction(s.cycle, p.omega_rad);
     const double unmeasured_s = s.rates.held_s + since_last_s;
     if (s.rates.known) p.omega_tolerance_rad = turn_change_radps2 * unmeasured_s * unmeasured_s;
     return p;
@@ -174,7 +184,9 @@ void accept_motion(Impl& s, bool is_credible, const MotionPrediction& prediction
     }
     out.counts.inliers = measured.inliers;
     out.counts.ground_window = measured.ground_window;
-    s.cycle.push_back({out.motion, s.measured.estimate.noise_factor});
+    const Derotation derotation(PlaneGeometry(s.reference.field.camera.mount), out.motion.omega_rad,
+                                out.motion.pitch_rad, s.params.motion.geometry);
+    s.cycle.push_back({out.motion, s.measured.estimate.noise_factor, derotation});
 }
 
 /// True when a cycle has to end before its time: the view has changed so much that few of its first vectors
@@ -199,7 +211,8 @@ void publish_motion(Impl& s, double since_last_s) {
         s.rates.v_known ? plan_cycle(s.params.rate, out.v_mps * since_last_s) : blind_cycle_images;
     out.end_of_cycle = out.image_of_cycle >= out.cycle_images || worn_out(s);
     out.v_measured = out.motion.forward_measured && out.end_of_cycle;
-    out.T_start_robot = compose(s.T_start_reference, along_arc(out.motion.omega_rad, out.motion.forward_m));
+    out.T_start_robot = compose(s.T_start_reference,
+                                along_arc(out.motion.omega_rad, out.motion.forward_m, out.motion.chord_rad));
     s.rates.omega_radps = out.omega_radps;
     s.rates.v_mps = out.v_mps;
     if (out.status == FieldStatus::Ok) s.last_measured = {out.motion, out.timestamp_s};

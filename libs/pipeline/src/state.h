@@ -13,6 +13,7 @@ namespace flownav::pipeline {
 struct ImageOfCycle {
     EgoMotion motion;
     double noise_factor = 1.0;
+    Derotation derotation;
 };
 
 /// Rates that predict the next motion.

@@ -26,8 +26,8 @@ EgoMotion turning_drive() {
     return m;
 }
 
-/// Eq. (3): the vector of something at `inverse_depth`, made `longer_px` longer along e and moved by
-/// `beside_px` across it.
+/// Eq. (3) without rotation: the vector of something at `inverse_depth`, made `longer_px` longer along e and
+/// moved by `beside_px` across it.
 RayFlow vector_of(const Vector2d& at, double inverse_depth, const EgoMotion& m, double longer_px = 0.0,
                   double beside_px = 0.0) {
     const Vector2d e = m.forward_m * plane.e(at);
@@ -35,8 +35,7 @@ RayFlow vector_of(const Vector2d& at, double inverse_depth, const EgoMotion& m, 
     const Vector2d across(-along.y(), along.x());
     RayFlow ray;
     ray.at = at;
-    ray.flow = inverse_depth * e + m.omega_rad * plane.h(at) + m.pitch_rad * PlaneGeometry::p(at) +
-               (longer_px * along + beside_px * across) / camera.fx_px;
+    ray.flow = inverse_depth * e + (longer_px * along + beside_px * across) / camera.fx_px;
     ray.sigma = Vector2d(sigma_px, sigma_px) / camera.fx_px;
     return ray;
 }
@@ -132,8 +131,7 @@ TEST(Judge, SwingOfACameraAheadOfTheAxisIsPartOfTheTravel) {
     const EgoMotion m = turning_drive();
     const Vector2d e = plane.e(near_floor, {m.forward_m, 0.3 * m.omega_rad});
     RayFlow ray = floor_vector();
-    ray.flow = e * plane.ground_inverse_depth(near_floor) + m.omega_rad * plane.h(near_floor) +
-               m.pitch_rad * PlaneGeometry::p(near_floor);
+    ray.flow = e * plane.ground_inverse_depth(near_floor);
     EXPECT_EQ(judge(ray, ahead, m, 1.0, {}).fate, BlockFate::Ground);
     EXPECT_EQ(judge(ray, camera, m, 1.0, {}).fate, BlockFate::Eliminated);
 }

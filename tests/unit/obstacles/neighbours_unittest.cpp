@@ -8,7 +8,12 @@ namespace {
 using Neighbours = std::vector<std::array<int, 4>>;
 
 Judgement candidate(double depth_m) {
-    return {BlockFate::Unsupported, 1 / depth_m, 0.001, 5.0};
+    Judgement j;
+    j.fate = BlockFate::Unsupported;
+    j.inverse_depth = 1 / depth_m;
+    j.sigma = 0.001;
+    j.excess_px = 5.0;
+    return j;
 }
 
 BlockFate fate_of_first(std::vector<Judgement> judgements,

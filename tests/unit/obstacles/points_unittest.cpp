@@ -57,14 +57,17 @@ struct SeenPoint {
         const RayMapper mapper(from.camera);
         ray = ray_flow({at_px, *testing::project(to, point_m) - at_px, {0.1, 0.1}, 1.0, true}, mapper, mapper,
                        Geometry::MidPoint);
-        judgement = judge(ray, from.camera, testing::exact_motion({}, T_from_to), 1.0, {});
+        const EgoMotion motion = testing::exact_motion({}, T_from_to);
+        const Derotation derotated(PlaneGeometry(from.camera.mount), motion.omega_rad, 0.0,
+                                   Geometry::MidPoint);
+        judgement = judge(derotated(ray), from.camera, motion, 1.0, {});
     }
 
     std::optional<ObstaclePoint> point(const ObstacleParams& params = {}, double sigma_travel = 0.0) const {
         const Pose2 T_from_mid =
             along_arc(T_from_to.yaw_rad / 2, std::hypot(T_from_to.x_m, T_from_to.y_m) / 2);
-        return obstacle_point(ray, judgement, {1, 2}, compose(inverse(T_from_to), T_from_mid),
-                              from.camera.mount, sigma_travel, params);
+        return obstacle_point(judgement, {1, 2}, compose(inverse(T_from_to), T_from_mid), from.camera.mount,
+                              sigma_travel, params);
     }
 };
 

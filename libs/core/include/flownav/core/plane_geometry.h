@@ -13,9 +13,12 @@ inline double cross(const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
 }
 
 /// Displacement of the CAMERA on the ground, (forward, leftward) in metres, of a robot that moves `forward_m`
-/// and turns by `omega_rad` while the camera sits off its axis.
-inline Eigen::Vector2d camera_travel(const CameraMount& mount, double forward_m, double omega_rad) {
-    return {forward_m - omega_rad * mount.left_m, omega_rad * mount.forward_m};
+/// and turns by `omega_rad` while the camera sits off its axis; seen from half-way through the turn.
+/// `chord_rad`: direction of the robot's chord there, see EgoMotion.
+inline Eigen::Vector2d camera_travel(const CameraMount& mount, double forward_m, double omega_rad,
+                                     double chord_rad = 0.0) {
+    return {forward_m * std::cos(chord_rad) - omega_rad * mount.left_m,
+            forward_m * std::sin(chord_rad) + omega_rad * mount.forward_m};
 }
 
 /// The fields of Eq. (3) on the normalised plane of a level camera of pitch rho, a = cos rho, b = sin rho, H

@@ -1,12 +1,7 @@
 #pragma once
+#include "flownav/core/derotation.h"
 
 namespace flownav {
-
-/// Where e, h and the ground depth of a vector are evaluated.
-enum class Geometry {
-    MidPoint,  ///< half-way along the vector: right for finite displacements
-    Block,     ///< at the reference block, as printed in [P]: T and obstacles are biased
-};
 
 /// What the rotation estimate assumes.
 enum class MotionModel {

@@ -13,19 +13,21 @@ namespace flownav {
 /// What one vector says about the place it looks at.
 struct Judgement {
     BlockFate fate = BlockFate::Unplaced;
-    double inverse_depth = 0.0;  ///< 1/Z at the mid-point of the vector, 1/m
-    double sigma = 0.0;          ///< standard deviation of inverse_depth, 1/m
-    double excess_px = 0.0;      ///< Eq. (13): longer than on the ground by so many pixels
+    Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< where, on the normalised plane half-way
+    double inverse_depth = 0.0;                    ///< 1/Z there, 1/m
+    double sigma = 0.0;                            ///< standard deviation of inverse_depth, 1/m
+    double excess_px = 0.0;                        ///< Eq. (13): longer than on the ground by so many pixels
     Eigen::Vector2d drift = Eigen::Vector2d::Zero();  ///< d of Eq. (9), an image, on the normalised plane
     double drift_sigma = 0.0;                         ///< standard deviation of drift in its worse direction
     bool measured = false;                            ///< false: there is no vector
 };
 
-/// Eliminates by (11) and decides by (13). `noise_factor`: errors of this image over what the deviations of
+/// Eliminates by (11) and decides by (13). `travel`: a vector without its rotation, see Derotation.
+/// `noise_factor`: errors of this image over what the deviations of
 /// its vectors say. A candidate obstacle comes back as BlockFate::Unsupported until its neighbours have been
 /// asked.
-Judgement judge(const RayFlow& ray, const CameraModel& camera, const EgoMotion& motion, double noise_factor,
-                const ObstacleParams& params);
+Judgement judge(const RayFlow& travel, const CameraModel& camera, const EgoMotion& motion,
+                double noise_factor, const ObstacleParams& params);
 
 /// The neighbourhood filter: candidates with at least params.neighbours neighbours of about the same depth
 /// become obstacles. `neighbours`: indices of the nearest blocks of each, -1 behind the last.
