@@ -14,7 +14,8 @@ using Eigen::Vector2d;
 constexpr double free_beside_path_m = 0.5;
 constexpr int first_rail = 60;  // their object numbers
 constexpr int first_near_box = 70;
-constexpr std::size_t near_box_images = 36;
+constexpr double near_box_first_m = 1.0;  // along the way
+constexpr double near_box_every_m = 0.6;
 constexpr double ahead_m = 3.0;  ///< things stand along this much more than the path itself
 
 /// The path, and straight on from its end.
@@ -88,14 +89,18 @@ void add_island(World& world) {
 
 /// Boxes beside the wheels, so near that they stand in the part of the image that shows the ground right
 /// before the robot.
-void add_near_boxes(World& world, const std::vector<Pose2>& path) {
+void add_near_boxes(World& world, const std::vector<Pose2>& way) {
     Random random(mix(world.ground.seed, 19));
     int object = first_near_box;
-    for (std::size_t i = 0; i < path.size(); i += near_box_images) {
+    double since_m = -near_box_first_m;
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        since_m += std::hypot(way[i].x_m - way[i - 1].x_m, way[i].y_m - way[i - 1].y_m);
+        if (since_m < 0.0) continue;
+        since_m -= near_box_every_m;
         Thing box = object % 2 == 0 ? make_low_box(random) : make_box(random);
         for (Primitive& p : box) p.half_x_m = p.half_y_m = 0.12;
         const double side_m = object % 2 == 0 ? 0.40 : -0.40;
-        add(world, placed(box, transform(path[i], Vector2d(1.6, side_m)), path[i].yaw_rad, object, random));
+        add(world, placed(box, transform(way[i], Vector2d(0.0, side_m)), way[i].yaw_rad, object, random));
         ++object;
     }
 }
@@ -163,7 +168,7 @@ World make_world(const SceneOptions& options, const std::vector<Pose2>& path) {
     const int wanted = static_cast<int>(std::lround(length_m * (corridor ? 1.6 : 1.8)));
     if (options.kind == SceneKind::Loop) add_island(world);
     if (options.rails) add_rails(world, way);
-    if (options.near_boxes) add_near_boxes(world, path);
+    if (options.near_boxes) add_near_boxes(world, way);
     add_things(world, options, way, wanted, reach_m, random);
     add(world, walls.primitives);
     if (options.kind == SceneKind::Mover) add(world, make_mover(options, random));

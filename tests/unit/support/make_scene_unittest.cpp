@@ -23,6 +23,17 @@ TEST(MakeSceneTool, ListsItsKindsAndHelps) {
     EXPECT_NE(bytes_of(folder / "said").find("--floor"), std::string::npos);
 }
 
+TEST(MakeSceneTool, ListsAndRendersItsPresets) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(run_tool("--list", folder / "said"), 0);
+    EXPECT_NE(bytes_of(folder / "said").find("vibration015"), std::string::npos);
+    const std::string output = " --output " + (folder / "s").string();
+    EXPECT_EQ(run_tool("--preset plain --seed 3 --images 2" + output, folder / "said"), 0);
+    EXPECT_TRUE(std::filesystem::exists(folder / "s.rawlog"));
+    EXPECT_EQ(run_tool("--preset maze" + output, folder / "said"), 1);
+    EXPECT_NE(bytes_of(folder / "said").find("maze"), std::string::npos);
+}
+
 TEST(MakeSceneTool, BadArgumentsAreStatusOneAndAreNamed) {
     const TemporaryFolder folder;
     const std::string output = " --output " + (folder / "s").string();

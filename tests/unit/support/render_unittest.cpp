@@ -101,6 +101,14 @@ TEST(Render, PicturesOfADistortedCameraAgreeWithTheExactFlow) {
     EXPECT_LT(agreement(World{}, from, to).offset_px.norm(), 0.01);
 }
 
+TEST(Render, PicturesOfAnUnevenFloorAgreeWithTheExactFlow) {
+    World uneven;
+    uneven.waves = {0.012, 3};
+    const View to = small_view({0.03, 0.0, 0.02});
+    EXPECT_LT(agreement(uneven, small_view(), to).offset_px.norm(), 0.01);
+    EXPECT_LT(agreement(uneven, small_view(), to).rms_grey, 4.0);
+}
+
 TEST(Render, FieldsOfOtherParityAgreeWithTheExactFlow) {
     const CameraModel frame = standard_camera(384, 288);
     const View top{field_camera(frame, Parity::Top), {}, 0.0};

@@ -77,7 +77,26 @@ TEST(Texture, TilesHaveAJointEveryThirtyCentimetres) {
         EXPECT_LT(grey(joint + 0.003), grey(joint + 0.15) - 30.0);
 }
 
+TEST(Texture, LaidTilesHaveSpecksInsideAndLaidLinoIsFaintButNotBlank) {
+    const auto inside = [](Surface surface) {
+        const TextureSampler sampler({surface, 1.0, 5});
+        std::vector<double> greys;
+        for (int i = 0; i < 400; ++i) {
+            const Eigen::Vector2d at(0.05 + 0.0101 * (i % 20), 0.05 + 0.0101 * std::floor(i / 20.0));
+            greys.push_back(sampler.grey({at, {0.002, 0.0}, {0.0, 0.002}}));
+        }
+        return spread(greys).sigma;
+    };
+    EXPECT_GT(inside(Surface::Stoneware), 2.0);
+    EXPECT_LT(inside(Surface::Stoneware), 6.0);
+    EXPECT_GT(inside(Surface::Stoneware), 1.5 * inside(Surface::Tiles));
+    EXPECT_GT(inside(Surface::Marbled), 1.5);
+    EXPECT_LT(inside(Surface::Marbled), 4.0);
+}
+
 TEST(Texture, NamesOfFloors) {
+    EXPECT_EQ(floor_surface("stoneware"), Surface::Stoneware);
+    EXPECT_EQ(floor_surface("marbled"), Surface::Marbled);
     EXPECT_EQ(floor_surface("tiles"), Surface::Tiles);
     EXPECT_EQ(floor_surface("grass"), std::nullopt);
 }
