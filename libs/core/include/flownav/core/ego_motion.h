@@ -6,8 +6,8 @@ namespace flownav {
 struct EgoMotion {
     double omega_rad = 0.0;         ///< turn about the robot's axis, > 0 to the LEFT
     double pitch_rad = 0.0;         ///< turn about the camera's x axis, > 0 raises the camera's view
-    double chord_rad = 0.0;         ///< direction of the chord from half the turn; 0 when the turn was steady
     double forward_m = 0.0;         ///< T, chord of the robot's axis, > 0 forward
+    double chord_rad = 0.0;         ///< direction of the chord from half the turn; 0 when the turn was steady
     double sigma_omega_rad = 0.0;   ///< standard error of omega
     double sigma_forward_m = 0.0;   ///< standard error of T
     bool omega_measured = false;    ///< false: omega is the prediction

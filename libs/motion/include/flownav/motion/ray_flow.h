@@ -16,8 +16,8 @@ RayFlow ray_flow(const FlowVector& vector, const RayMapper& reference, const Ray
 struct MotionPrediction {
     double omega_rad = 0.0;
     double pitch_rad = 0.0;
-    double chord_rad = 0.0;  ///< see EgoMotion
     double forward_m = 0.0;
+    double chord_rad = 0.0;  ///< see EgoMotion
     /// How far the true turn can be from omega_rad when nothing unforeseen happens; infinite: anywhere.
     double omega_tolerance_rad = std::numeric_limits<double>::infinity();
 };
