@@ -1,6 +1,7 @@
 #include "chain_run.h"
 
 #include "flownav/sensor/camera_conversion.h"
+#include "flownav/sensor/make_state.h"
 
 namespace flownav::fidelity {
 namespace {
@@ -15,7 +16,7 @@ CameraModel believed(const CameraModel& camera, const CameraConfig& config) {
 }  // namespace
 
 void run_chain(const RenderedScene& drive, const Config& config, const Watcher& watcher) {
-    pipeline::State state(config.pipeline);
+    pipeline::State state = make_state(config);
     int reference = 0;
     for (int i = 0; i < static_cast<int>(drive.fields.size()); ++i) {
         Field field = drive.fields[static_cast<std::size_t>(i)];

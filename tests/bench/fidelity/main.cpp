@@ -6,6 +6,7 @@
 #include "command_output.h"
 #include "flownav/testing/presets.h"
 #include "row.h"
+#include "sections.h"
 
 namespace flownav::fidelity {
 namespace {
@@ -14,6 +15,7 @@ constexpr auto help = R"(Renders named scenes, runs the chain over them and comp
 
 flownav-fidelity [--scene NAME[,NAME]...] [--seed N[,N]...] [--images M] [--set section.key=value]...
                  [--config FILE.ini] [--detail] [--cache DIR]
+flownav-fidelity --page FILE.md [--seed N] [--cache DIR]
 
   --scene NAME,...    scenes of flownav-make-scene --list; all of them without it
   --seed N,...        seeds; the figures of several are added up (default 1)
@@ -21,6 +23,7 @@ flownav-fidelity [--scene NAME[,NAME]...] [--seed N[,N]...] [--images M] [--set 
   --config FILE.ini   settings, as for flownav-replay
   --set key=value     one setting, as for flownav-replay; may be repeated
   --detail            also print the blocks found by kind of thing and range
+  --page FILE.md      write the whole page of figures instead, with the first seed and the default settings
   --cache DIR         keep rendered pictures there and use them again
   --help, --version   print this text, or the version, and exit
 
@@ -33,7 +36,7 @@ of blocks on the mover, images where it is above half, mean magnitude of the err
 Exit status:
   0  fine
   1  bad usage or configuration
-  3  the cache cannot be written
+  3  the page or the cache cannot be written
 )";
 
 std::vector<std::string> split(const std::string& text) {
@@ -52,12 +55,12 @@ struct Arguments {
     TCLAP::ValueArg<std::string> config{"", "config", "", false, "", "FILE.ini", command};
     TCLAP::MultiArg<std::string> set{"", "set", "", false, "section.key=value", command};
     TCLAP::SwitchArg detail{"", "detail", "", command};
+    TCLAP::ValueArg<std::string> page{"", "page", "", false, "", "FILE.md", command};
     TCLAP::ValueArg<std::string> cache{"", "cache", "", false, "", "DIR", command};
 };
 
 Config config_of(Arguments& arguments) {
     Config config;
-    config.pipeline.threads = 2;
     if (arguments.config.isSet()) load_config_file(config, arguments.config.getValue());
     for (const std::string& setting : arguments.set.getValue()) {
         const auto equals = setting.find('=');
@@ -100,15 +103,26 @@ Score score_of(const std::string& name, Arguments& arguments, const Config& conf
     return score;
 }
 
+void print_rows(Arguments& arguments) {
+    const Config config = config_of(arguments);
+    const auto names = scenes_of(arguments);
+    std::cout << row_heads() << std::endl;
+    for (const std::string& name : names) {
+        const Score score = score_of(name, arguments, config);
+        std::cout << row_of(name, score) << std::endl;
+        if (arguments.detail.isSet()) std::cout << detection_of(score) << std::endl;
+    }
+}
+
 int run(Arguments& arguments) {
     try {
-        const Config config = config_of(arguments);
-        const auto names = scenes_of(arguments);
-        std::cout << row_heads() << std::endl;
-        for (const std::string& name : names) {
-            const Score score = score_of(name, arguments, config);
-            std::cout << row_of(name, score) << std::endl;
-            if (arguments.detail.isSet()) std::cout << detection_of(score) << std::endl;
+        if (!arguments.cache.getValue().empty())
+            std::filesystem::create_directories(arguments.cache.getValue());
+        if (arguments.page.isSet()) {
+            const Studio studio{arguments.cache.getValue(), seed_of(arguments.seed.getValue())};
+            write_page(studio, arguments.page.getValue());
+        } else {
+            print_rows(arguments);
         }
     } catch (const ConfigError& error) {
         std::cerr << "flownav-fidelity: " << error.what() << '\n';

@@ -1,0 +1,77 @@
+#include "drive_pictures.h"
+
+#include "flownav/replay/svg_chart.h"
+
+namespace flownav::fidelity {
+namespace {
+
+using Eigen::Vector2d;
+using Line = std::vector<Vector2d>;
+
+constexpr std::size_t most_points = 900;
+
+Line outline(const testing::Primitive& p) {
+    Line line;
+    if (p.shape == testing::Shape::Cylinder) {
+        constexpr int corners = 8;
+        for (int k = 0; k <= corners; ++k) {
+            const double angle = 2.0 * M_PI * k / corners;
+            line.emplace_back(p.centre_m + p.half_x_m * Vector2d(std::cos(angle), std::sin(angle)));
+        }
+        return line;
+    }
+    const Pose2 pose{p.centre_m.x(), p.centre_m.y(), p.yaw_rad};
+    for (const auto& [x, y] : {std::pair{1, 1}, std::pair{-1, 1}, std::pair{-1, -1}, std::pair{1, -1}})
+        line.push_back(transform(pose, Vector2d(x * p.half_x_m, y * p.half_y_m)));
+    line.push_back(line.front());
+    return line;
+}
+
+ChartSeries things(const testing::World& world) {
+    ChartSeries series{"things", "#999999", {}, false, 1.0};
+    for (const testing::Primitive& p : world.primitives) series.pieces.push_back(outline(p));
+    return series;
+}
+
+Chart plan(const std::string& title) {
+    Chart chart;
+    chart.title = title;
+    chart.x_label = "x (m)";
+    chart.y_label = "y (m)";
+    chart.equal_scales = true;
+    return chart;
+}
+
+/// The chart as a file of its own.
+std::string standalone(const Chart& chart) {
+    std::string svg = svg_chart(chart);
+    constexpr auto style =
+        "<style>text{font:12px sans-serif;fill:#222}.grid{stroke:#ddd}.axis{stroke:#444}.curve{fill:none}"
+        "</style>\n<rect width='100%' height='100%' fill='white'/>\n";
+    if (svg.find("xmlns") == std::string::npos)
+        svg.insert(svg.find("<svg") + 4, " xmlns='http://www.w3.org/2000/svg'");
+    return svg.insert(svg.find('>') + 1, style) + '\n';
+}
+
+}  // namespace
+
+std::string paths_picture(const DriveRecord& drive) {
+    Chart chart = plan("Once around a railing and a chair");
+    chart.series = {things(drive.world),
+                    {"truth", "#222222", {drive.truth_m}, false, 3.0},
+                    {"wheel odometry", "#d95f02", {drive.odometry_m}, true, 1.5},
+                    {"flow odometry", "#1b9e77", {drive.flow_m}, false, 1.5}};
+    return standalone(chart);
+}
+
+std::string points_picture(const DriveRecord& drive) {
+    Chart chart = plan("Obstacle points of the drive");
+    ChartSeries dots{"points", "#7570b3", {}, false, 1.0};
+    const std::size_t step = drive.points.size() / most_points + 1;
+    for (std::size_t i = 0; i < drive.points.size(); i += step)
+        dots.pieces.push_back({drive.points[i].in_world_m});
+    chart.series = {things(drive.world), dots, {"path", "#222222", {drive.truth_m}, true, 1.0}};
+    return standalone(chart);
+}
+
+}  // namespace flownav::fidelity

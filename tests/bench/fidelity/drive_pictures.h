@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "chain_run.h"
+
+namespace flownav::fidelity {
+
+/// An obstacle point of a drive and how far it is from the nearest surface.
+struct JudgedPoint {
+    Eigen::Vector2d in_robot_m;  ///< forward, left
+    Eigen::Vector2d in_world_m;  ///< by the true pose
+    double off_m = 0.0;
+};
+
+/// All that is drawn of a drive.
+struct DriveRecord {
+    testing::World world;
+    std::vector<Eigen::Vector2d> truth_m, flow_m, odometry_m;  ///< paths
+    std::vector<JudgedPoint> points;
+};
+
+// Pictures as whole SVG files.
+
+std::string paths_picture(const DriveRecord& drive);
+std::string points_picture(const DriveRecord& drive);
+
+}  // namespace flownav::fidelity

@@ -1,0 +1,126 @@
+#include "lidar_pictures.h"
+
+#include <cmath>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <sstream>
+#include <stdexcept>
+
+namespace flownav::fidelity {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double cell_m = 0.25;
+constexpr double px_per_m = 12.0;
+constexpr int cycles_min = 2;  // what was there only once is left out
+constexpr double colour_range_m = 25.0;
+
+cv::Scalar colour_of(double range_m) {
+    cv::Mat hue(1, 1, CV_8UC3, cv::Scalar(std::min(1.0, range_m / colour_range_m) * 130, 255, 255));
+    cv::cvtColor(hue, hue, cv::COLOR_HSV2BGR);
+    const auto bgr = hue.at<cv::Vec3b>(0, 0);
+    return {static_cast<double>(bgr[0]), static_cast<double>(bgr[1]), static_cast<double>(bgr[2])};
+}
+
+cv::Point at(const Vector2d& pixel_px) {
+    return {static_cast<int>(std::lround(pixel_px.x())), static_cast<int>(std::lround(pixel_px.y()))};
+}
+
+bool is_confirmed(const ObstaclePoint& point, const LidarView& view) {
+    const Vector2d at_m = point.position_m.head<2>();
+    return nearest_m(view.high_m, at_m) <= tolerance_m(at_m.norm());
+}
+
+struct Extent {
+    int left = 0, right = 0, low = 0, high = 0;
+};
+
+/// All cells as one path of squares, forward up.
+std::string path_of(const std::map<std::pair<int, int>, int>& cells, int least, const Extent& extent,
+                    const char* fill) {
+    const int edge = static_cast<int>(std::lround(cell_m * px_per_m));
+    std::ostringstream out;
+    out << "<path fill=\"" << fill << "\" d=\"";
+    for (const auto& [cell, cycles] : cells) {
+        if (cycles < least) continue;
+        out << 'M' << (extent.left - cell.second) * edge << ' ' << (extent.high - cell.first) * edge << 'h'
+            << edge << 'v' << edge << 'h' << -edge << 'z';
+    }
+    out << "\"/>\n";
+    return out.str();
+}
+
+}  // namespace
+
+void LidarPlan::add(const pipeline::Step& step, const LidarView& view) {
+    const auto cell_of = [&](const Vector2d& robot_m) {
+        const Vector2d cell = (transform(step.T_start_robot, robot_m) / cell_m).array().floor();
+        return Cell{static_cast<int>(cell.x()), static_cast<int>(cell.y())};
+    };
+    for (const Vector2d& at_m : view.cells_m) {
+        for (const double dx : {-0.125, 0.125})
+            for (const double dy : {-0.125, 0.125}) ++lidar_[cell_of(at_m + Vector2d(dx, dy))];
+    }
+    for (const ObstaclePoint& point : step.obstacles)
+        ++(is_confirmed(point, view) ? right_ : wrong_)[cell_of(point.position_m.head<2>())];
+    path_m_.emplace_back(step.T_start_robot.x_m, step.T_start_robot.y_m);
+}
+
+void LidarPlan::write(const std::filesystem::path& svg) const {
+    Extent extent;
+    for (const auto* cells : {&lidar_, &right_, &wrong_}) {
+        for (const auto& [cell, cycles] : *cells) {
+            if (cells == &lidar_ && cycles < cycles_min) continue;
+            extent.high = std::max(extent.high, cell.first + 1);
+            extent.left = std::max(extent.left, cell.second + 1);
+            extent.right = std::min(extent.right, cell.second - 1);
+        }
+    }
+    const int edge = static_cast<int>(std::lround(cell_m * px_per_m));
+    std::ofstream out(svg, std::ios::binary);
+    const int width = (extent.left - extent.right + 1) * edge;
+    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width << "\" viewBox=\"0 0 " << width
+        << ' ' << (extent.high + 5) * edge << "\" font-family=\"sans-serif\" font-size=\"11\">\n"
+        << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+        << path_of(lidar_, cycles_min, extent, "#c8c8c8") << path_of(wrong_, 1, extent, "#d62728")
+        << path_of(right_, 1, extent, "#2ca02c") << "<polyline fill=\"none\" stroke=\"#1f77b4\" points=\"";
+    for (const Vector2d& at_m : path_m_) {
+        out << std::lround((extent.left + 1) * edge - at_m.y() * px_per_m) << ','
+            << std::lround((extent.high + 1) * edge - at_m.x() * px_per_m) << ' ';
+    }
+    out << "\"/>\n<text x=\"6\" y=\"14\">5 m</text>\n<path stroke=\"black\" d=\"M6 20h" << 5 * px_per_m
+        << "\"/>\n</svg>\n";
+    out.close();
+    if (!out) throw std::runtime_error(svg.string() + ": cannot be written");
+}
+
+void write_overlay(const std::filesystem::path& folder, int number, const Field& field,
+                   const RayMapper& mapper, const pipeline::Step& step, const std::vector<Vector3d>& scan_m,
+                   const LidarView& view) {
+    const ImageView& image = field.image;
+    cv::Mat picture(image.height_px, image.width_px, CV_8UC3);
+    for (int v = 0; v < image.height_px; ++v)
+        for (int u = 0; u < image.width_px; ++u) picture.at<cv::Vec3b>(v, u) = cv::Vec3b::all(image.at(u, v));
+    for (const Vector3d& at_m : scan_m) {
+        if (at_m.z() > obstacle_low_m && at_m.head<2>().norm() < colour_range_m)
+            cv::circle(picture, at(project(mapper, at_m)), 1, colour_of(at_m.head<2>().norm()), cv::FILLED);
+    }
+    for (const ObstaclePoint& point : step.obstacles) {
+        const cv::Point centre = at(point.at_px);
+        const cv::Scalar colour = colour_of(point.position_m.head<2>().norm());
+        if (point.moving) {
+            cv::rectangle(picture, centre - cv::Point(6, 6), centre + cv::Point(6, 6), colour, 2);
+        } else {
+            cv::circle(picture, centre, 6, colour, 2);
+        }
+        if (!is_confirmed(point, view))
+            cv::drawMarker(picture, centre, cv::Scalar(255, 0, 255), cv::MARKER_TILTED_CROSS, 14, 2);
+    }
+    const std::filesystem::path file = folder / (std::to_string(number) + ".png");
+    if (!cv::imwrite(file.string(), picture)) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+}  // namespace flownav::fidelity

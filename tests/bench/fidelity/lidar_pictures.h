@@ -1,0 +1,33 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "flownav/core/field.h"
+#include "lidar_score.h"
+
+namespace flownav::fidelity {
+
+/// A plan of a whole drive in the frame of its flow odometry: what the lidar and what the sensor saw.
+class LidarPlan {
+  public:
+    void add(const pipeline::Step& step, const LidarView& view);
+
+    /// Throws std::runtime_error naming a file that cannot be written.
+    void write(const std::filesystem::path& svg) const;
+
+  private:
+    using Cell = std::pair<int, int>;
+
+    std::map<Cell, int> lidar_, right_, wrong_;  ///< cycles a cell was seen in
+    std::vector<Eigen::Vector2d> path_m_;
+};
+
+/// A camera image with the lidar's obstacles (small) and the points of the sensor (circles; squares move), in
+/// colours of their range; points that lidar does not confirm are crossed. FOLDER/NNNN.png.
+void write_overlay(const std::filesystem::path& folder, int number, const Field& field,
+                   const RayMapper& mapper, const pipeline::Step& step,
+                   const std::vector<Eigen::Vector3d>& scan_m, const LidarView& view);
+
+}  // namespace flownav::fidelity

@@ -1,0 +1,148 @@
+#include <fstream>
+#include <sstream>
+
+#include "flownav/replay/image_folder.h"
+#include "flownav/replay/kitti.h"
+#include "flownav/replay/metrics.h"
+#include "flownav/sensor/make_state.h"
+#include "markdown.h"
+#include "real_data.h"
+#include "statistics.h"
+
+namespace flownav::fidelity {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double deg = M_PI / 180.0;
+
+constexpr auto odometry_text = R"(
+### KITTI odometry, sequence 00: 84 m from a cold start
+
+100 images at 10 Hz, up to 1.06 m and 2.1 deg from image to image; `ini/kitti.ini`.
+
+)";
+
+constexpr auto gyro_text = R"(
+### DonkeyCar: turn rate against a gyro
+
+370 images of 160x120 at 20 Hz through a wide-angle lens, not calibrated; a smooth floor and motion blur;
+`ini/donkeycar.ini`. Each image is compared with the gyro over the interval that ends with it.
+
+)";
+
+Config config_of(const std::string& ini) {
+    Config config;
+    load_config_file(config, std::string(FLOWNAV_INI_DIR) + '/' + ini);
+    return config;
+}
+
+CameraMount mount_of(const CameraConfig& camera) {
+    CameraMount mount;
+    mount.height_m = camera.height_m.value();
+    mount.pitch_rad = camera.pitch_deg.value() * deg;
+    mount.roll_rad = camera.roll_deg.value() * deg;
+    mount.yaw_rad = camera.yaw_deg.value() * deg;
+    mount.forward_m = camera.forward_m.value();
+    return mount;
+}
+
+std::vector<FieldRow> drive_through(ImageSequence& images, const Config& config, PoseTrack& truth) {
+    pipeline::State state = make_state(config);
+    std::vector<FieldRow> rows;
+    while (const auto frame = images.next()) {
+        rows.push_back(row_of(pipeline::step(state, frame->field)));
+        if (!frame->T_start_robot) continue;
+        const Pose2& pose = *frame->T_start_robot;
+        truth.add(frame->field.timestamp_s, {pose.x_m, pose.y_m, 0.0, pose.yaw_rad, 0.0, 0.0});
+    }
+    truth.finish();
+    return rows;
+}
+
+Share ok_share(const std::vector<FieldRow>& rows) {
+    Share ok;
+    for (std::size_t i = 1; i < rows.size(); ++i) ok.add(rows[i].status == FieldStatus::Ok);
+    return ok;
+}
+
+std::string first_ok(const std::vector<FieldRow>& rows) {
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].status == FieldStatus::Ok) return std::to_string(i);
+    return "never";
+}
+
+/// The column gyro_z_degps, row by row.
+std::vector<double> gyro_degps(const fs::path& log) {
+    std::ifstream in(log);
+    std::vector<double> values;
+    std::string line;
+    for (std::getline(in, line); std::getline(in, line);) {
+        const auto first = line.find(',');
+        const auto second = line.find(',', first + 1);
+        values.push_back(std::stod(line.substr(second + 1)));
+    }
+    return values;
+}
+
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+    Moments ma, mb;
+    double products = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        ma.add(a[i]);
+        mb.add(b[i]);
+        products += a[i] * b[i];
+    }
+    return (products / static_cast<double>(a.size()) - ma.mean() * mb.mean()) /
+           (ma.deviation() * mb.deviation());
+}
+
+}  // namespace
+
+std::string odometry_part(const fs::path& folder) {
+    if (!fs::exists(folder)) return std::string(odometry_text) + "Not measured: no KITTI odometry data.\n";
+    const Config config = config_of("kitti.ini");
+    KittiOdometry images(folder, "00", mount_of(config.camera));
+    PoseTrack truth;
+    const auto rows = drive_through(images, config, truth);
+    const Errors errors = compare(rows, truth);
+    const auto value = [](const std::optional<double>& v) { return v.value_or(nothing_measured); };
+    Table table{{"fields ok", "first ok", "omega rms, deg/s", "v bias, %", "v sd, %", "end position, %",
+                 "heading at the end, deg"},
+                {}};
+    table.rows.push_back({cell(ok_share(rows).percent(), 0) + " %", first_ok(rows),
+                          cell(value(errors.omega_rms_degps), 2), cell(value(errors.v_bias_percent), 1),
+                          cell(value(errors.v_sd_percent), 1),
+                          cell(value(errors.end_position_percent), 2, below(4.0)),
+                          cell(value(errors.heading_end_deg), 2, below(1.0))});
+    return odometry_text + to_markdown(table);
+}
+
+std::string gyro_part(const fs::path& folder) {
+    if (!fs::exists(folder)) return std::string(gyro_text) + "Not measured: no DonkeyCar data.\n";
+    const Config config = config_of("donkeycar.ini");
+    FrameTimes times;
+    times.file = folder / "log.csv";
+    ImageFolder images(folder / "images", config.camera, times);
+    PoseTrack none;
+    const auto rows = drive_through(images, config, none);
+    const std::vector<double> gyro = gyro_degps(folder / "log.csv");
+    std::vector<double> flow, same, differences;
+    Moments difference;
+    for (std::size_t i = 1; i < rows.size() && i <= gyro.size(); ++i) {
+        if (rows[i].status != FieldStatus::Ok) continue;
+        flow.push_back(to_deg(rows[i].omega_radps));
+        same.push_back(gyro[i - 1]);
+        difference.add(flow.back() - same.back());
+        differences.push_back(std::abs(flow.back() - same.back()));
+    }
+    Table table{{"images ok", "correlation", "rms difference, deg/s", "median difference, deg/s",
+                 "mean difference, deg/s"},
+                {}};
+    table.rows.push_back({cell(ok_share(rows).percent(), 0) + " %",
+                          cell(correlation(flow, same), 3, above(0.9)), cell(difference.rms(), 1),
+                          cell(median(differences), 1), cell(difference.mean(), 1)});
+    return gyro_text + to_markdown(table);
+}
+
+}  // namespace flownav::fidelity

@@ -1,0 +1,24 @@
+#include <cstdlib>
+
+#include "real_data.h"
+#include "sections.h"
+
+namespace flownav::fidelity {
+
+std::string real_data_report(const RealDataOptions& options) {
+    std::filesystem::path data = options.data;
+    if (data.empty()) {
+        const char* given = std::getenv("FLOWNAV_DATA");
+        data = given != nullptr ? given : FLOWNAV_DATA;
+    }
+    return "\n## Real drives\n\nPublic recordings; `flownav-fidelity` finds them where FLOWNAV_DATA "
+           "points.\n" +
+           braking_part(data / "kitti-raw" / "2011_09_26", options) + odometry_part(data / "kitti-odometry") +
+           gyro_part(data / "donkeycar-gyro");
+}
+
+std::string real_data_section() {
+    return real_data_report({});
+}
+
+}  // namespace flownav::fidelity
