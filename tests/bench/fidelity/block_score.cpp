@@ -22,7 +22,9 @@ double true_excess_px(const Moment& m, const Vector2d& at_px, const Vector2d& fl
     const RayFlow ray = ray_flow(vector, RayMapper(reference), RayMapper(newer), Geometry::MidPoint);
     const EgoMotion motion =
         testing::exact_motion(testing::true_view(scene, m.reference), testing::true_view(scene, m.image));
-    return judge(ray, reference, motion, 1.0, m.config.pipeline.obstacles).excess_px;
+    const Derotation derotated(PlaneGeometry(reference.mount), motion.omega_rad, motion.pitch_rad,
+                               Geometry::MidPoint);
+    return judge(derotated(ray), reference, motion, 1.0, m.config.pipeline.obstacles).excess_px;
 }
 
 /// Whether a block and a little around it show nothing but the ground.
@@ -47,6 +49,9 @@ std::size_t range_index(double range_m) {
 
 void BlockScore::add(const BlockScore& other) {
     detected.add(other.detected);
+    detected_textured.add(other.detected_textured);
+    for (const auto& [fate, count] : other.fates) fates[fate] += count;
+    for (const auto& [fate, count] : other.fates_textured) fates_textured[fate] += count;
     false_blocks.add(other.false_blocks);
     for (const auto& [kind, shares] : other.by_kind)
         for (std::size_t i = 0; i < shares.size(); ++i) by_kind[kind].at(i).add(shares.at(i));
@@ -74,6 +79,11 @@ void BlockWatcher::see_block(const Moment& m, const pipeline::BlockRecord& block
     const Pose2& robot = scene.poses[static_cast<std::size_t>(m.image)];
     const double range_m = (truth->sight.point_m.head<2>() - Vector2d(robot.x_m, robot.y_m)).norm();
     score_.detected.add(obstacle);
+    ++score_.fates[block.fate];
+    if (thing.texture.surface == testing::Surface::Patterned) {
+        score_.detected_textured.add(obstacle);
+        ++score_.fates_textured[block.fate];
+    }
     score_.by_kind[thing.kind].at(range_index(range_m)).add(obstacle);
 }
 
