@@ -35,8 +35,8 @@ std::string table_of(const std::string& scene, const std::vector<Variant>& rows,
                      const std::vector<Score>& scores) {
     const Targets targets = targets_of(scene);
     Table table{{"variant", "omega, image (deg/s)", "omega, cycle (deg/s)", "T bias (%)", "T scatter (%)",
-                 "ok (%)", "heading (deg)", "false blocks / cycle", "ghost points / cycle", "detected (%)",
-                 "near a surface (%)"},
+                 "ok (%)", "heading (deg)", "false blocks / cycle", "ghost points / cycle",
+                 "detected, textured (%)", "near a surface (%)"},
                 {}};
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Score& s = scores[i];
@@ -47,7 +47,8 @@ std::string table_of(const std::string& scene, const std::vector<Variant>& rows,
                               cell(s.ego.ok.percent(), 0), cell(s.ego.heading_deg.mean(), 2),
                               cell(s.blocks.false_blocks.rate(), 2, targets.false_per_cycle),
                               cell(s.points.ghosts.rate(), 2, targets.ghosts_per_cycle),
-                              cell(s.blocks.detected.percent(), 0), cell(s.points.near.percent(), 1)});
+                              cell(s.blocks.detected_textured.percent(), 0),
+                              cell(s.points.near.percent(), 1)});
     }
     return to_markdown(table);
 }

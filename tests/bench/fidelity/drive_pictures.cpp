@@ -8,7 +8,7 @@ namespace {
 using Eigen::Vector2d;
 using Line = std::vector<Vector2d>;
 
-constexpr std::size_t most_points = 900;
+constexpr std::size_t most_points = 500;
 
 Line outline(const testing::Primitive& p) {
     Line line;
@@ -25,6 +25,13 @@ Line outline(const testing::Primitive& p) {
         line.push_back(transform(pose, Vector2d(x * p.half_x_m, y * p.half_y_m)));
     line.push_back(line.front());
     return line;
+}
+
+Line every_fourth(const Line& path) {
+    Line thin;
+    for (std::size_t i = 0; i < path.size(); i += 4) thin.push_back(path[i]);
+    if (!path.empty()) thin.push_back(path.back());
+    return thin;
 }
 
 ChartSeries things(const testing::World& world) {
@@ -58,9 +65,9 @@ std::string standalone(const Chart& chart) {
 std::string paths_picture(const DriveRecord& drive) {
     Chart chart = plan("Once around a railing and a chair");
     chart.series = {things(drive.world),
-                    {"truth", "#222222", {drive.truth_m}, false, 3.0},
-                    {"wheel odometry", "#d95f02", {drive.odometry_m}, true, 1.5},
-                    {"flow odometry", "#1b9e77", {drive.flow_m}, false, 1.5}};
+                    {"truth", "#222222", {every_fourth(drive.truth_m)}, false, 3.0},
+                    {"wheel odometry", "#d95f02", {every_fourth(drive.odometry_m)}, true, 1.5},
+                    {"flow odometry", "#1b9e77", {every_fourth(drive.flow_m)}, false, 1.5}};
     return standalone(chart);
 }
 
@@ -70,7 +77,7 @@ std::string points_picture(const DriveRecord& drive) {
     const std::size_t step = drive.points.size() / most_points + 1;
     for (std::size_t i = 0; i < drive.points.size(); i += step)
         dots.pieces.push_back({drive.points[i].in_world_m});
-    chart.series = {things(drive.world), dots, {"path", "#222222", {drive.truth_m}, true, 1.0}};
+    chart.series = {things(drive.world), dots, {"path", "#222222", {every_fourth(drive.truth_m)}, true, 1.0}};
     return standalone(chart);
 }
 

@@ -29,7 +29,8 @@ flownav-fidelity --page FILE.md [--seed N] [--cache DIR]
 
 One row per scene. om: turn rate, rms error per image and of the mean over a cycle; T: speed of cycles that measured it;
 end, head: odometry at the end; ghosts: points far from every surface per cycle with points; false: obstacle blocks
-that show only floor; detect: blocks that exceed tau by 0.5 px found; 1-2m ..: median distance of points from surfaces;
+that show only floor; detect: blocks that exceed tau by 0.5 px found, of text.: of
+those on richly textured things; 1-2m ..: median distance of points from surfaces;
 chair: found in one cycle at 2-4 m; mapP, mapR: precision and recall of the fused map; cover, images, |om|: largest share
 of blocks on the mover, images where it is above half, mean magnitude of the error of omega there.
 

@@ -17,6 +17,18 @@ implementation; "-" means that there was nothing to measure.
 
 )";
 
+/// Never more than one empty line, and none at the end.
+std::string tidy(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        const std::size_t n = result.size();
+        const bool second_empty_line = c == '\n' && n > 1 && result[n - 1] == '\n' && result[n - 2] == '\n';
+        if (!second_empty_line) result += c;
+    }
+    while (result.size() > 1 && result[result.size() - 2] == '\n') result.pop_back();
+    return result;
+}
+
 }  // namespace
 
 void write_text(const std::filesystem::path& file, const std::string& text) {
@@ -38,9 +50,9 @@ void write_page(const Studio& studio, const std::filesystem::path& file) {
     page += jumps_section(studio);
     studio.say("Claims of the paper");
     page += paper_section(studio, file.parent_path(), file.stem().string());
-    page += real_data_section();
-    while (page.size() > 1 && page[page.size() - 2] == '\n') page.pop_back();
-    write_text(file, page);
+    studio.say("Real drives");
+    page += real_data_section(file.parent_path(), file.stem().string());
+    write_text(file, tidy(page));
 }
 
 }  // namespace flownav::fidelity

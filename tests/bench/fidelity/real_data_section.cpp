@@ -17,8 +17,10 @@ std::string real_data_report(const RealDataOptions& options) {
            gyro_part(data / "donkeycar-gyro");
 }
 
-std::string real_data_section() {
-    return real_data_report({});
+std::string real_data_section(const std::filesystem::path& folder, const std::string& stem) {
+    RealDataOptions options;
+    options.plan_svg = folder / (stem + "-kitti.svg");
+    return real_data_report(options);
 }
 
 }  // namespace flownav::fidelity

@@ -33,6 +33,7 @@ const std::vector<Column>& columns() {
         {"ghosts", "/cyc", 7, 2, [](const Score& s) { return s.points.ghosts.rate(); }},
         {"false", "blk/cyc", 8, 2, [](const Score& s) { return s.blocks.false_blocks.rate(); }},
         {"detect", "%", 7, 1, [](const Score& s) { return s.blocks.detected.percent(); }},
+        {"of text.", "%", 9, 1, [](const Score& s) { return s.blocks.detected_textured.percent(); }},
         {"near", "%", 6, 1, [](const Score& s) { return s.points.near.percent(); }},
         {"1-2m", "m", 6, 3, [](const Score& s) { return median(s.points.surface_error_m[0]); }},
         {"2-3m", "m", 6, 3, [](const Score& s) { return median(s.points.surface_error_m[1]); }},
@@ -55,6 +56,13 @@ std::string right(const std::string& text, std::size_t width) {
 
 std::string left(const std::string& text, std::size_t width) {
     return text.size() >= width ? text : text + std::string(width - text.size(), ' ');
+}
+
+std::string fates_line(const std::string& name, const std::map<BlockFate, std::int64_t>& fates) {
+    std::string line = left(name, name_width);
+    for (const auto& [fate, count] : fates)
+        line += right(std::string(to_string(fate)) + ' ' + std::to_string(count), 18);
+    return line;
 }
 
 }  // namespace
@@ -88,7 +96,8 @@ std::string detection_of(const Score& score) {
             text += right(share.all > 0 ? counts : "-", 16);
         }
     }
-    return text;
+    return text + '\n' + fates_line("  all", score.blocks.fates) + '\n' +
+           fates_line("  textured", score.blocks.fates_textured);
 }
 
 }  // namespace flownav::fidelity

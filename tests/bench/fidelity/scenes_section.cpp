@@ -38,16 +38,16 @@ std::string ego_motion(const std::vector<Row>& rows) {
 
 std::string obstacles(const std::vector<Row>& rows) {
     Table table{{"scene", "false blocks / cycle", "ghost points / cycle", "detected (%)",
-                 "near a surface (%)", "error 1-2 m", "error 2-3 m", "error 3-4 m", "chair in a cycle (%)",
-                 "objects found (%)", "map precision (%)", "map recall (%)"},
+                 "detected, textured (%)", "near a surface (%)", "error 1-2 m", "error 2-3 m", "error 3-4 m",
+                 "chair in a cycle (%)", "objects found (%)", "map precision (%)", "map recall (%)"},
                 {}};
     for (const auto& [name, score, targets] : rows) {
         const PointScore& p = score.points;
         table.rows.push_back(
             {name, cell(score.blocks.false_blocks.rate(), 2, targets.false_per_cycle),
-             cell(p.ghosts.rate(), 2, targets.ghosts_per_cycle),
-             cell(score.blocks.detected.percent(), 0, targets.detected_percent), cell(p.near.percent(), 1),
-             cell(median(p.surface_error_m[0]), 3, targets.error_1_2_m),
+             cell(p.ghosts.rate(), 2, targets.ghosts_per_cycle), cell(score.blocks.detected.percent(), 0),
+             cell(score.blocks.detected_textured.percent(), 0, targets.detected_percent),
+             cell(p.near.percent(), 1), cell(median(p.surface_error_m[0]), 3, targets.error_1_2_m),
              cell(median(p.surface_error_m[1]), 3, targets.error_2_3_m),
              cell(median(p.surface_error_m[2]), 3, targets.error_3_4_m),
              cell(p.chairs_in_a_cycle.percent(), 0, targets.chair_percent), cell(p.objects.percent(), 0),
@@ -77,6 +77,19 @@ std::string detection(const std::vector<Row>& rows) {
         }
         cells.push_back(cell(total.percent(), 0) + " % of " + std::to_string(total.all));
         table.rows.push_back(cells);
+    }
+    return to_markdown(table);
+}
+
+std::string fates(const std::vector<Row>& rows) {
+    BlockScore all;
+    for (const Row& row : rows) all.add(row.score.blocks);
+    Table table{{"fate", "all", "textured"}, {}};
+    for (const auto& [fate, count] : all.fates) {
+        const Share whole{count, all.detected.all};
+        const Share textured{all.fates_textured[fate], all.detected_textured.all};
+        table.rows.push_back(
+            {to_string(fate), cell(whole.percent(), 1) + " %", cell(textured.percent(), 1) + " %"});
     }
     return to_markdown(table);
 }
@@ -116,13 +129,15 @@ std::string scenes_section(const Studio& studio) {
            ego_motion(rows) +
            "## Obstacles\n\nFalse blocks show nothing but floor. Ghosts are points farther than 0.5 m (or 15 "
            "% of their range) from everything.\nDetected: of the blocks whose true value of (13) exceeds tau "
-           "by half a pixel, whatever they show, blank walls and\npainted metal included. Errors are medians "
+           "by half a pixel, whatever they show, blank walls and\npainted wood included, and of those on "
+           "richly textured things. Errors are medians "
            "of the horizontal distance of points from the nearest surface, metres.\n\n" +
            obstacles(rows) +
            "## Detection by range and kind\n\nThe same blocks of all scenes together, by what they show and "
            "how far it is. Poles and rails are thinner than a\nblock; walls are blank plaster above a dark "
            "skirting board.\n\n" +
-           detection(rows) + "## Movers\n\n" + movers(rows);
+           detection(rows) + "What becomes of these blocks:\n\n" + fates(rows) + "## Movers\n\n" +
+           movers(rows);
 }
 
 }  // namespace flownav::fidelity

@@ -23,8 +23,9 @@ std::string jumps_section(const Studio& studio);
 /// Throws std::runtime_error naming the file that cannot be written.
 std::string paper_section(const Studio& studio, const std::filesystem::path& folder, const std::string& stem);
 
-/// Recordings of real drives; empty where there are none.
-std::string real_data_section();
+/// Recordings of real drives; says so where they are missing. Its picture becomes STEM-kitti.svg in `folder`.
+/// Throws std::runtime_error naming the file that cannot be read or written.
+std::string real_data_section(const std::filesystem::path& folder, const std::string& stem);
 
 /// The whole page into `file`, with its pictures beside it.
 /// Throws std::runtime_error naming the file that cannot be written.

@@ -112,7 +112,9 @@ void add_things(World& world, const SceneOptions& options, const std::vector<Pos
     for (int attempt = 0; attempt < 60 * wanted && object <= wanted; ++attempt) {
         const auto along = static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(way.size())));
         const double beside_m = random.uniform(0.6, reach_m);
-        const double side_m = random.uniform(0, 1) < 0.5 ? -beside_m : beside_m;
+        // The island of the loop has its things already.
+        const bool right = options.kind == SceneKind::Loop || random.uniform(0, 1) < 0.5;
+        const double side_m = right ? -beside_m : beside_m;
         const Vector2d at_m = transform(way[along], Vector2d(0.5, side_m));
         const Thing raw = options.kind == SceneKind::Corridor ? make_corridor_thing(object, random)
                                                               : make_thing(object, random);
