@@ -5,6 +5,7 @@
 
 #include "command_output.h"
 #include "flownav/testing/presets.h"
+#include "real_data.h"
 #include "row.h"
 #include "sections.h"
 
@@ -16,6 +17,7 @@ constexpr auto help = R"(Renders named scenes, runs the chain over them and comp
 flownav-fidelity [--scene NAME[,NAME]...] [--seed N[,N]...] [--images M] [--set section.key=value]...
                  [--config FILE.ini] [--detail] [--cache DIR]
 flownav-fidelity --page FILE.md [--seed N] [--cache DIR]
+flownav-fidelity --real-drives DIR
 
   --scene NAME,...    scenes of flownav-make-scene --list; all of them without it
   --seed N,...        seeds; the figures of several are added up (default 1)
@@ -24,6 +26,8 @@ flownav-fidelity --page FILE.md [--seed N] [--cache DIR]
   --set key=value     one setting, as for flownav-replay; may be repeated
   --detail            also print the blocks found by kind of thing and range
   --page FILE.md      write the whole page of figures instead, with the first seed and the default settings
+  --real-drives DIR   print what the chain makes of the recordings where FLOWNAV_DATA points, and draw obstacle points
+                      and lidar on camera images in DIR
   --cache DIR         keep rendered pictures there and use them again
   --help, --version   print this text, or the version, and exit
 
@@ -37,7 +41,7 @@ of blocks on the mover, images where it is above half, mean magnitude of the err
 Exit status:
   0  fine
   1  bad usage or configuration
-  3  the page or the cache cannot be written
+  3  a page, picture or cache cannot be written, or a recording is damaged
 )";
 
 std::vector<std::string> split(const std::string& text) {
@@ -57,6 +61,7 @@ struct Arguments {
     TCLAP::MultiArg<std::string> set{"", "set", "", false, "section.key=value", command};
     TCLAP::SwitchArg detail{"", "detail", "", command};
     TCLAP::ValueArg<std::string> page{"", "page", "", false, "", "FILE.md", command};
+    TCLAP::ValueArg<std::string> real{"", "real-drives", "", false, "", "DIR", command};
     TCLAP::ValueArg<std::string> cache{"", "cache", "", false, "", "DIR", command};
 };
 
@@ -115,11 +120,20 @@ void print_rows(Arguments& arguments) {
     }
 }
 
+void print_real_drives(const std::filesystem::path& pictures) {
+    std::filesystem::create_directories(pictures);
+    RealDataOptions options;
+    options.pictures = pictures;
+    std::cout << real_data_report(options);
+}
+
 int run(Arguments& arguments) {
     try {
         if (!arguments.cache.getValue().empty())
             std::filesystem::create_directories(arguments.cache.getValue());
-        if (arguments.page.isSet()) {
+        if (arguments.real.isSet()) {
+            print_real_drives(arguments.real.getValue());
+        } else if (arguments.page.isSet()) {
             const Studio studio{arguments.cache.getValue(), seed_of(arguments.seed.getValue())};
             write_page(studio, arguments.page.getValue());
         } else {

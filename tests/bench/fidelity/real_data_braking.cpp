@@ -61,7 +61,7 @@ std::string scores_table(const LidarScore& score) {
 std::string fates_table(const LidarScore& score) {
     Table table{{"blocks that look at"}, {}};
     std::vector<BlockFate> fates;
-    for (int k = 0; k <= static_cast<int>(BlockFate::Unjudged) + 1; ++k) {
+    for (int k = 0; k <= static_cast<int>(BlockFate::Unjudged); ++k) {
         fates.push_back(static_cast<BlockFate>(k));
         table.heads.emplace_back(to_string(fates.back()));
     }
@@ -86,8 +86,7 @@ std::string fates_table(const LidarScore& score) {
 
 }  // namespace
 
-std::string braking_part(const fs::path& folder, const RealDataOptions& options) {
-    if (!fs::exists(folder / drive)) return std::string(text) + "Not measured: no " + drive + ".\n";
+LidarScore braking_score(const fs::path& folder, const RealDataOptions& options) {
     const Config config = raw_config();
     CameraMount mount;
     mount.height_m = config.camera.height_m.value();
@@ -117,11 +116,19 @@ std::string braking_part(const fs::path& folder, const RealDataOptions& options)
         reference = i;
     }
     if (!options.plan_svg.empty()) plan.write(options.plan_svg);
-    const LidarScore& score = judge.value().result();
-    return text + scores_table(score) + '\n' + fates_table(score) +
+    return judge.value().result();
+}
+
+std::string braking_part(const fs::path& folder, const RealDataOptions& options) {
+    if (!fs::exists(folder / drive)) return std::string(text) + "Not measured: no " + drive + ".\n";
+    const LidarScore score = braking_score(folder, options);
+    const std::string tables = text + scores_table(score) + '\n' + fates_table(score);
+    if (options.plan_svg.empty()) return tables;
+    return tables +
            "\nThe plan, forward up: grey lidar, green points that it confirms, red others, blue the car's "
            "way.\n\n"
-           "![Plan of the drive](fidelity-kitti.svg)\n";
+           "![Plan of the drive](" +
+           options.plan_svg.filename().string() + ")\n";
 }
 
 }  // namespace flownav::fidelity

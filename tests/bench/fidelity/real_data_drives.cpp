@@ -66,10 +66,10 @@ Share ok_share(const std::vector<FieldRow>& rows) {
     return ok;
 }
 
-std::string first_ok(const std::vector<FieldRow>& rows) {
+int first_ok(const std::vector<FieldRow>& rows) {
     for (std::size_t i = 0; i < rows.size(); ++i)
-        if (rows[i].status == FieldStatus::Ok) return std::to_string(i);
-    return "never";
+        if (rows[i].status == FieldStatus::Ok) return static_cast<int>(i);
+    return -1;
 }
 
 /// The column gyro_z_degps, row by row.
@@ -99,27 +99,31 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
-std::string odometry_part(const fs::path& folder) {
-    if (!fs::exists(folder)) return std::string(odometry_text) + "Not measured: no KITTI odometry data.\n";
+OdometryScore odometry_score(const fs::path& folder) {
     const Config config = config_of("kitti.ini");
     KittiOdometry images(folder, "00", mount_of(config.camera));
     PoseTrack truth;
     const auto rows = drive_through(images, config, truth);
-    const Errors errors = compare(rows, truth);
+    return {ok_share(rows), first_ok(rows), compare(rows, truth)};
+}
+
+std::string odometry_part(const fs::path& folder) {
+    if (!fs::exists(folder)) return std::string(odometry_text) + "Not measured: no KITTI odometry data.\n";
+    const OdometryScore score = odometry_score(folder);
     const auto value = [](const std::optional<double>& v) { return v.value_or(nothing_measured); };
-    Table table{{"fields ok", "first ok", "omega rms, deg/s", "v bias, %", "v sd, %", "end position, %",
+    Table table{{"images ok", "first ok", "omega rms, deg/s", "v bias, %", "v sd, %", "end position, %",
                  "heading at the end, deg"},
                 {}};
-    table.rows.push_back({cell(ok_share(rows).percent(), 0) + " %", first_ok(rows),
-                          cell(value(errors.omega_rms_degps), 2), cell(value(errors.v_bias_percent), 1),
-                          cell(value(errors.v_sd_percent), 1),
-                          cell(value(errors.end_position_percent), 2, below(4.0)),
-                          cell(value(errors.heading_end_deg), 2, below(1.0))});
+    table.rows.push_back({cell(score.ok.percent(), 0) + " %", cell(score.first_ok, 0, below(3)),
+                          cell(value(score.errors.omega_rms_degps), 2),
+                          cell(value(score.errors.v_bias_percent), 1),
+                          cell(value(score.errors.v_sd_percent), 1),
+                          cell(value(score.errors.end_position_percent), 2, below(4.0)),
+                          cell(value(score.errors.heading_end_deg), 2, below(1.0))});
     return odometry_text + to_markdown(table);
 }
 
-std::string gyro_part(const fs::path& folder) {
-    if (!fs::exists(folder)) return std::string(gyro_text) + "Not measured: no DonkeyCar data.\n";
+GyroScore gyro_score(const fs::path& folder) {
     const Config config = config_of("donkeycar.ini");
     FrameTimes times;
     times.file = folder / "log.csv";
@@ -127,21 +131,30 @@ std::string gyro_part(const fs::path& folder) {
     PoseTrack none;
     const auto rows = drive_through(images, config, none);
     const std::vector<double> gyro = gyro_degps(folder / "log.csv");
-    std::vector<double> flow, same, differences;
-    Moments difference;
+    GyroScore score;
+    score.ok = ok_share(rows);
+    std::vector<double> flow, same, magnitudes;
     for (std::size_t i = 1; i < rows.size() && i <= gyro.size(); ++i) {
         if (rows[i].status != FieldStatus::Ok) continue;
         flow.push_back(to_deg(rows[i].omega_radps));
         same.push_back(gyro[i - 1]);
-        difference.add(flow.back() - same.back());
-        differences.push_back(std::abs(flow.back() - same.back()));
+        score.difference_degps.add(flow.back() - same.back());
+        magnitudes.push_back(std::abs(flow.back() - same.back()));
     }
+    score.correlation = correlation(flow, same);
+    score.median_difference_degps = median(magnitudes);
+    return score;
+}
+
+std::string gyro_part(const fs::path& folder) {
+    if (!fs::exists(folder)) return std::string(gyro_text) + "Not measured: no DonkeyCar data.\n";
+    const GyroScore score = gyro_score(folder);
     Table table{{"images ok", "correlation", "rms difference, deg/s", "median difference, deg/s",
                  "mean difference, deg/s"},
                 {}};
-    table.rows.push_back({cell(ok_share(rows).percent(), 0) + " %",
-                          cell(correlation(flow, same), 3, above(0.9)), cell(difference.rms(), 1),
-                          cell(median(differences), 1), cell(difference.mean(), 1)});
+    table.rows.push_back({cell(score.ok.percent(), 0) + " %", cell(score.correlation, 3, above(0.9)),
+                          cell(score.difference_degps.rms(), 1), cell(score.median_difference_degps, 1),
+                          cell(score.difference_degps.mean(), 1)});
     return gyro_text + to_markdown(table);
 }
 

@@ -5,12 +5,13 @@
 
 namespace flownav::fidelity {
 
+std::filesystem::path data_folder() {
+    const char* given = std::getenv("FLOWNAV_DATA");
+    return given != nullptr ? given : FLOWNAV_DATA;
+}
+
 std::string real_data_report(const RealDataOptions& options) {
-    std::filesystem::path data = options.data;
-    if (data.empty()) {
-        const char* given = std::getenv("FLOWNAV_DATA");
-        data = given != nullptr ? given : FLOWNAV_DATA;
-    }
+    const std::filesystem::path data = options.data.empty() ? data_folder() : options.data;
     return "\n## Real drives\n\nPublic recordings; `flownav-fidelity` finds them where FLOWNAV_DATA "
            "points.\n" +
            braking_part(data / "kitti-raw" / "2011_09_26", options) + odometry_part(data / "kitti-odometry") +
