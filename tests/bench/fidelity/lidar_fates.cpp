@@ -61,6 +61,7 @@ double excess_px(const RayMapper& mapper, const Vector2d& centre_px, const Vecto
 
 void LidarJudge::see_blocks(const pipeline::Step& step, const std::vector<Vector3d>& scan_m) {
     std::vector<std::pair<Vector2d, Vector3d>> returns;
+    returns.reserve(scan_m.size());
     for (const Vector3d& at_m : scan_m) returns.emplace_back(project(mapper_, at_m), at_m);
     for (std::size_t i = 0; i < layout_.size() && i < step.blocks.size(); ++i) {
         const Vector2d centre_px = layout_.centre_px[i];

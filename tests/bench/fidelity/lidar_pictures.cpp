@@ -43,13 +43,13 @@ std::string path_of(const std::map<std::pair<int, int>, int>& cells, int least, 
                     const char* fill) {
     const int edge = static_cast<int>(std::lround(cell_m * px_per_m));
     std::ostringstream out;
-    out << "<path fill=\"" << fill << "\" d=\"";
+    out << R"(<path fill=")" << fill << R"(" d=")";
     for (const auto& [cell, cycles] : cells) {
         if (cycles < least) continue;
         out << 'M' << (extent.left - cell.second) * edge << ' ' << (extent.high - cell.first) * edge << 'h'
             << edge << 'v' << edge << 'h' << -edge << 'z';
     }
-    out << "\"/>\n";
+    out << R"("/>)" << '\n';
     return out.str();
 }
 
@@ -82,17 +82,17 @@ void LidarPlan::write(const std::filesystem::path& svg) const {
     const int edge = static_cast<int>(std::lround(cell_m * px_per_m));
     std::ofstream out(svg, std::ios::binary);
     const int width = (extent.left - extent.right + 1) * edge;
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width << "\" viewBox=\"0 0 " << width
-        << ' ' << (extent.high + 5) * edge << "\" font-family=\"sans-serif\" font-size=\"11\">\n"
-        << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+    out << R"(<svg xmlns="http://www.w3.org/2000/svg" width=")" << 2 * width << R"(" viewBox="0 0 )" << width
+        << ' ' << (extent.high + 5) * edge << R"(" font-family="sans-serif" font-size="9">)" << '\n'
+        << R"(<rect width="100%" height="100%" fill="white"/>)" << '\n'
         << path_of(lidar_, cycles_min, extent, "#c8c8c8") << path_of(wrong_, 1, extent, "#d62728")
-        << path_of(right_, 1, extent, "#2ca02c") << "<polyline fill=\"none\" stroke=\"#1f77b4\" points=\"";
+        << path_of(right_, 1, extent, "#2ca02c") << R"(<polyline fill="none" stroke="#1f77b4" points=")";
     for (const Vector2d& at_m : path_m_) {
         out << std::lround((extent.left + 1) * edge - at_m.y() * px_per_m) << ','
             << std::lround((extent.high + 1) * edge - at_m.x() * px_per_m) << ' ';
     }
-    out << "\"/>\n<text x=\"6\" y=\"14\">5 m</text>\n<path stroke=\"black\" d=\"M6 20h" << 5 * px_per_m
-        << "\"/>\n</svg>\n";
+    out << R"("/><text x="4" y="11">5 m</text><path stroke="black" d="M4 15h)" << 5 * px_per_m
+        << R"("/></svg>)" << '\n';
     out.close();
     if (!out) throw std::runtime_error(svg.string() + ": cannot be written");
 }

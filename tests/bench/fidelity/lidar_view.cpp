@@ -17,7 +17,9 @@ constexpr int returns_min = 3;  // in a cell
 class Cover {
   public:
     Cover(const BlockLayout& layout, const CameraModel& camera)
-        : width_px_(camera.width_px), height_px_(camera.height_px), covered_(width_px_ * height_px_) {
+        : width_px_(camera.width_px),
+          height_px_(camera.height_px),
+          covered_(static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px)) {
         for (const Eigen::Vector2i& corner : layout.corner_px) {
             for (int v = corner.y(); v < corner.y() + block_px; ++v)
                 for (int u = corner.x(); u < corner.x() + block_px; ++u) covered_[v * width_px_ + u] = true;

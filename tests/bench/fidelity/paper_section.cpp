@@ -119,8 +119,8 @@ std::string paper_section(const Studio& studio, const std::filesystem::path& fol
            "railing and a chair, on carpet, 0.4 m/s, quarter turns of 1 m radius.\n\n" +
            ends_table(drive) + "![Paths of the drive](" + stem +
            "-drive.svg)\n\n### Points of a 10 cm grid, 1.5 to 3.5 m ahead and to 8 m aside\n\nEvery obstacle "
-           "point of that drive, in the robot's frame at the end of its cycle, before any fusion. Ahead: "
-           "within 0.5 m of\nthe robot's line.\n\n" +
+           "point of that drive, in the robot's frame at the end of its cycle, before any fusion.\nAhead: "
+           "within 0.5 m of the robot's line.\n\n" +
            range_table(record.points) + "![Obstacle points of the drive](" + stem + "-points.svg)\n\n";
 }
 

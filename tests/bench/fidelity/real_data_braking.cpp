@@ -109,9 +109,10 @@ LidarScore braking_score(const fs::path& folder, const RealDataOptions& options)
             const auto scan_m = lidar->scan(i);
             judge->see(step, scan_m, lidar->scan(reference));
             plan.add(step, judge->view());
-            if (!options.pictures.empty())
+            if (!options.pictures.empty()) {
                 write_overlay(options.pictures, i, frame->field, judge->mapper(), step, scan_m,
                               judge->view());
+            }
         }
         reference = i;
     }
@@ -122,7 +123,7 @@ LidarScore braking_score(const fs::path& folder, const RealDataOptions& options)
 std::string braking_part(const fs::path& folder, const RealDataOptions& options) {
     if (!fs::exists(folder / drive)) return std::string(text) + "Not measured: no " + drive + ".\n";
     const LidarScore score = braking_score(folder, options);
-    const std::string tables = text + scores_table(score) + '\n' + fates_table(score);
+    std::string tables = text + scores_table(score) + '\n' + fates_table(score);
     if (options.plan_svg.empty()) return tables;
     return tables +
            "\nThe plan, forward up: grey lidar, green points that it confirms, red others, blue the car's "

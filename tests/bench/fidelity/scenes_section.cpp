@@ -130,8 +130,8 @@ std::string scenes_section(const Studio& studio) {
            "## Obstacles\n\nFalse blocks show nothing but floor. Ghosts are points farther than 0.5 m (or 15 "
            "% of their range) from everything.\nDetected: of the blocks whose true value of (13) exceeds tau "
            "by half a pixel, whatever they show, blank walls and\npainted wood included, and of those on "
-           "richly textured things. Errors are medians "
-           "of the horizontal distance of points from the nearest surface, metres.\n\n" +
+           "richly textured things. Errors are medians of the horizontal distance of\npoints from the "
+           "nearest surface, metres.\n\n" +
            obstacles(rows) +
            "## Detection by range and kind\n\nThe same blocks of all scenes together, by what they show and "
            "how far it is. Poles and rails are thinner than a\nblock; walls are blank plaster above a dark "
