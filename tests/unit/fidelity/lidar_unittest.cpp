@@ -29,6 +29,7 @@ pipeline::Step step_with(const std::vector<Vector3d>& points_m) {
 /// Returns on a pole of 1 m height.
 std::vector<Vector3d> pole_at(double x_m, double y_m) {
     std::vector<Vector3d> scan_m;
+    scan_m.reserve(10);
     for (int i = 0; i < 10; ++i) scan_m.emplace_back(x_m, y_m, 0.05 + 0.1 * i);
     return scan_m;
 }
