@@ -10,7 +10,7 @@ using Eigen::Vector2d;
 /// Shortest travel-induced flow of the ground, in units of tau, from which "as on the ground" means anything:
 /// an obstacle at 4/5 of the depth of the ground would then exceed tau.
 constexpr double ground_evidence_tau = 4.0;
-constexpr double depth_tolerance = 0.25;
+constexpr double depth_tolerance = 0.15;
 constexpr double significance = 3.0;  // deviations by which an obstacle must stand out
 
 }  // namespace
@@ -57,8 +57,7 @@ Judgement judge(const RayFlow& travel, const CameraModel& camera, const EgoMotio
 
 bool similar_depth(const Judgement& p, const Judgement& q) {
     const double difference = std::abs(p.inverse_depth - q.inverse_depth);
-    return difference < std::max(depth_tolerance * std::max(p.inverse_depth, q.inverse_depth),
-                                 2.0 * std::hypot(p.sigma, q.sigma));
+    return difference < depth_tolerance * std::max(p.inverse_depth, q.inverse_depth);
 }
 
 }  // namespace flownav

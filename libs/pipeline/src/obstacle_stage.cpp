@@ -8,6 +8,8 @@ namespace {
 
 using Eigen::Vector2d;
 
+constexpr double persisting_share = 0.4;  // of a region's blocks moved in the last cycle as well
+
 /// Pose of the robot `share` of the way through a motion, in the frame where it began.
 Pose2 part_of(const EgoMotion& motion, double share) {
     return along_arc(share * motion.omega_rad, share * motion.forward_m);
@@ -57,18 +59,36 @@ Vector2d now_px(const State::Impl& s, const BlockRecord& block) {
     return block.vector.at_px + images * block.vector.flow_px;
 }
 
+/// True when the region was there in the last cycle as well, and not just a crossing of edges that seemed to
+/// move.
+bool persists(const State::Impl& s, int region) {
+    int blocks = 0;
+    int before = 0;
+    for (std::size_t i = 0; i < s.layout.size(); ++i) {
+        if (s.movers.region_of[i] != region) continue;
+        ++blocks;
+        before += s.moved_before[i];
+    }
+    return before >= persisting_share * blocks;
+}
+
+/// The lower edge of the region's lowest block in the last field.
+Vector2d lowest_px(const State::Impl& s, int region) {
+    const Vector2d half_block(0.0, block_px / 2.0);
+    Vector2d lowest(0.0, -block_px);
+    for (std::size_t i = 0; i < s.layout.size(); ++i) {
+        if (s.movers.region_of[i] != region) continue;
+        const Vector2d edge_px = now_px(s, s.step.blocks[i]) + half_block;
+        if (edge_px.y() > lowest.y()) lowest = edge_px;
+    }
+    return lowest;
+}
+
 /// Points of what moves by itself, at the range of its lowest row.
 void publish_movers(State::Impl& s) {
     for (int region = 0; region < s.movers.regions; ++region) {
-        const Vector2d half_block(0.0, block_px / 2.0);
-        Vector2d lowest_px(0.0, -1.0);
-        for (std::size_t i = 0; i < s.layout.size(); ++i) {
-            if (s.movers.region_of[i] != region) continue;
-            const Vector2d edge_px = now_px(s, s.step.blocks[i]) + half_block;
-            if (edge_px.y() > lowest_px.y()) lowest_px = edge_px;
-        }
-        const auto contact = ground_contact(lowest_px, s.newest.mapper);
-        if (!contact) continue;
+        const auto contact = ground_contact(lowest_px(s, region), s.newest.mapper);
+        if (!contact || !persists(s, region)) continue;
         for (std::size_t i = 0; i < s.layout.size(); ++i) {
             if (s.movers.region_of[i] != region) continue;
             const auto point =
@@ -76,6 +96,7 @@ void publish_movers(State::Impl& s) {
             if (point) s.step.obstacles.push_back(*point);
         }
     }
+    for (std::size_t i = 0; i < s.layout.size(); ++i) s.moved_before[i] = s.movers.region_of[i] >= 0;
 }
 
 }  // namespace

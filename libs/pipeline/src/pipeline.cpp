@@ -78,6 +78,7 @@ void new_layout(Impl& s) {
     s.layout = place_blocks(s.newest.mapper, s.params.flow);
     s.coarse_layout = every_nth(s.layout, coarse_step);
     s.judgements.resize(s.layout.size());
+    s.moved_before.assign(s.layout.size(), 0);
     s.step.blocks.assign(s.layout.size(), {});
     s.step.scan = scan_layout(s.newest.mapper, s.params.obstacles);
 }

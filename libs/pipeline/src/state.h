@@ -53,7 +53,8 @@ struct State::Impl {
     Measurement measured;  ///< of the newest field
     Measurement trial;     ///< of a hypothesis
     std::vector<Judgement> judgements;
-    MoverRegions movers;  ///< among the blocks of the running cycle
+    MoverRegions movers;             ///< among the blocks of the running cycle
+    std::vector<char> moved_before;  ///< 1: the block belonged to a mover at the end of the last cycle
     Step step;
 };
 

@@ -24,13 +24,13 @@ BlockFate fate_of_first(std::vector<Judgement> judgements,
     return judgements[0].fate;
 }
 
-TEST(Neighbours, ThreeOfTheSameDepthConfirmACandidate) {
-    EXPECT_EQ(fate_of_first({candidate(2.0), candidate(2.1), candidate(1.9), candidate(2.2), candidate(9)}),
+TEST(Neighbours, TwoOfTheSameDepthConfirmACandidate) {
+    EXPECT_EQ(fate_of_first({candidate(2.0), candidate(2.1), candidate(1.9), candidate(9), candidate(9)}),
               BlockFate::Obstacle);
 }
 
-TEST(Neighbours, TwoOfTheSameDepthDoNot) {
-    EXPECT_EQ(fate_of_first({candidate(2.0), candidate(2.1), candidate(1.9), candidate(9), candidate(9)}),
+TEST(Neighbours, OneOfTheSameDepthDoesNot) {
+    EXPECT_EQ(fate_of_first({candidate(2.0), candidate(2.1), candidate(9), candidate(9), candidate(9)}),
               BlockFate::Unsupported);
 }
 
@@ -46,7 +46,7 @@ TEST(Neighbours, ALonelyCandidateStaysUnsupported) {
 TEST(Neighbours, OnlyCandidatesConfirm) {
     std::vector<Judgement> judgements(5, candidate(2.0));
     for (const BlockFate fate : {BlockFate::Ground, BlockFate::Eliminated, BlockFate::Unjudged}) {
-        judgements[2].fate = judgements[3].fate = fate;
+        judgements[1].fate = judgements[2].fate = judgements[3].fate = fate;
         EXPECT_EQ(fate_of_first(judgements), BlockFate::Unsupported);
     }
 }
@@ -64,12 +64,12 @@ TEST(Neighbours, TheOrderOfTheBlocksDoesNotMatter) {
     for (const Judgement& j : judgements) EXPECT_EQ(j.fate, BlockFate::Obstacle);
 }
 
-TEST(SimilarDepth, IsWithinAQuarterOrWhatTheDeviationsAllow) {
-    EXPECT_TRUE(similar_depth(candidate(2.0), candidate(2.6)));
-    EXPECT_FALSE(similar_depth(candidate(2.0), candidate(2.7)));
+TEST(SimilarDepth, IsWithinFifteenPercentHoweverVagueTheDepthsAre) {
+    EXPECT_TRUE(similar_depth(candidate(2.0), candidate(2.3)));
+    EXPECT_FALSE(similar_depth(candidate(2.0), candidate(2.4)));
     Judgement vague = candidate(4.0);
     vague.sigma = 0.2;
-    EXPECT_TRUE(similar_depth(candidate(2.0), vague));
+    EXPECT_FALSE(similar_depth(candidate(2.0), vague));
 }
 
 }  // namespace

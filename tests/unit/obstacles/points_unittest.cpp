@@ -107,8 +107,8 @@ TEST(ObstaclePoint, IsLeftOutBeyondTheLimits) {
 
 TEST(ObstaclePoint, IsLeftOutWhenItsDepthIsWorthless) {
     const SeenPoint seen({2.0, 0.3, 0.3}, 0.0, 0.064);
-    EXPECT_TRUE(seen.point({}, 0.1));
-    EXPECT_FALSE(seen.point({}, 0.4));
+    EXPECT_TRUE(seen.point({}, 0.05));
+    EXPECT_FALSE(seen.point({}, 0.15));
 }
 
 TEST(ObstaclePoint, ItsDeviationCombinesVectorAndSpeed) {

@@ -35,7 +35,7 @@ template <std::size_t N>
 void confirm_by_neighbours(std::vector<Judgement>& judgements,
                            const std::vector<std::array<int, N>>& neighbours, const ObstacleParams& params);
 
-/// True when two depths are the same within 25 % or what their deviations allow.
+/// True when two depths are the same within 15 %.
 bool similar_depth(const Judgement& p, const Judgement& q);
 
 template <std::size_t N>

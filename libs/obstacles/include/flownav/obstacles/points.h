@@ -15,7 +15,7 @@ Eigen::Vector3d point_in_robot(const Eigen::Vector2d& at, double depth_m, const 
 
 /// The 3D point of an obstacle vector. It is seen from where the robot was in the MIDDLE of the vector's
 /// interval and moved to the end of the cycle by T_end_mid. Nothing when it lies out of the limits of
-/// `params` or its depth is worthless (deviation above a third of the range).
+/// `params` or its depth is worthless (deviation above a tenth of the range).
 std::optional<ObstaclePoint> obstacle_point(const Judgement& judgement, const Eigen::Vector2d& last_at_px,
                                             const Pose2& T_end_mid, const CameraMount& mount,
                                             double sigma_travel_relative, const ObstacleParams& params);
