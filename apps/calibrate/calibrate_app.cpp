@@ -61,7 +61,7 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
     TCLAP::CmdLine command("", ' ', version());
     CommandOutput output(command, "flownav-calibrate", help, out, error);
     using Text = TCLAP::ValueArg<std::string>;
-    TCLAP::UnlabeledValueArg<std::string> input("input", "", false, "", "INPUT.rawlog", command);
+    TCLAP::UnlabeledMultiArg<std::string> inputs("input", "", false, "INPUT.rawlog", command);
     Text file("", "output", "", false, "", "CAM.ini", command);
     Text config("", "config", "", false, "", "FILE.ini", command);
     Text picture("", "picture", "", false, "", "FILE.png", command);
@@ -73,16 +73,17 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
     argv.reserve(arguments.size());
     for (const std::string& argument : arguments) argv.push_back(argument.c_str());
     const bool parsed = command.parse(static_cast<int>(argv.size()), argv.data());
-    if (parsed && input.getValue().rfind('-', 0) == 0) {  // TCLAP takes an unknown option for the input
-        output.fail("unknown argument " + input.getValue());
-    } else if (parsed && (!input.isSet() || !file.isSet())) {
-        output.fail("needs INPUT.rawlog and --output CAM.ini");
+    const std::string input = inputs.isSet() ? inputs.getValue().front() : "";
+    if (parsed && input.rfind('-', 0) == 0) {  // TCLAP takes an unknown option for the input
+        output.fail("unknown argument " + input);
+    } else if (parsed && (inputs.getValue().size() != 1 || !file.isSet())) {
+        output.fail("needs one INPUT.rawlog and --output CAM.ini");
     }
     status = output.failed() ? usage_status : 0;
     if (!parsed || output.failed()) return std::nullopt;
     CommandLine result;
     result.quiet = quiet.getValue();
-    result.options.input = input.getValue();
+    result.options.input = input;
     result.options.output = file.getValue();
     result.options.picture = picture.getValue();
     result.options.config = configuration(config.getValue(), settings.getValue());

@@ -121,6 +121,8 @@ int run_replay_app(const std::vector<std::string>& arguments, std::ostream& out,
         if (!command) return status;
         const ReplayResult result = replay(command->options);
         if (!result.message.empty()) error << "flownav-replay: " << result.message << '\n';
+        for (const std::string& warning : result.warnings)
+            error << "flownav-replay: warning: " << warning << '\n';
         if (!command->quiet && !result.outcome.empty()) out << result.outcome << '\n';
         return static_cast<int>(result.status);
     } catch (const ConfigError& exception) {

@@ -26,8 +26,8 @@ Matrix3d true_homography(const CameraMount& mount, const PairMotion& m) {
     const Matrix3d C = robot_axes(mount.pitch_rad);
     const Matrix3d turn = AngleAxisd(-m.omega_rad(), Vector3d::UnitZ()).toRotationMatrix();
     const Vector3d offset = Vector3d(mount.forward_m, mount.left_m, 0.0) / mount.height_m;
-    const Vector3d chord =
-        m.heights() * Vector3d(std::cos(m.omega_rad() / 2), std::sin(m.omega_rad() / 2), 0.0);
+    const double heading = m.omega_rad() / 2 + m.chord_rad;
+    const Vector3d chord = m.heights() * Vector3d(std::cos(heading), std::sin(heading), 0.0);
     const Vector3d shift = turn * (offset - chord) - offset;
     // -C.row(2) is the ground's normal: times a ray it is the height over the ray's depth.
     const Matrix3d level = C.transpose() * (turn * C - shift * C.row(2));

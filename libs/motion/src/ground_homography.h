@@ -12,9 +12,12 @@ struct PairMotion {
     static constexpr int turn = 0, pitch = 1, roll = 2, travel = 3, size = 4;
     Eigen::Vector4d values = Eigen::Vector4d::Zero();
 
+    double chord_rad = 0.0;  ///< as in EgoMotion
+
     PairMotion() = default;
     PairMotion(const EgoMotion& motion, double height_m)
-        : values(motion.omega_rad, motion.pitch_rad, 0.0, motion.forward_m / height_m) {}
+        : values(motion.omega_rad, motion.pitch_rad, 0.0, motion.forward_m / height_m),
+          chord_rad(motion.chord_rad) {}
 
     double omega_rad() const { return values[turn]; }
     double pitch_rad() const { return values[pitch]; }

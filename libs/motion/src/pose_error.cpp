@@ -27,7 +27,8 @@ constexpr int vectors_min = 24;
 constexpr int steps = 4;
 constexpr double matching_error_px = 0.02;  // of block matching, in rows of one distance alike
 constexpr double rcond_min = 1e-12;
-constexpr double far_share = 1.0 / 3.0;  // of a y + b at the lower border
+constexpr double far_share = 1.0 / 3.0;    // of a y + b at the lower border
+constexpr double aside_max_heights = 2.0;  // beside the robot: roads have edges
 constexpr double below_horizon_min_of_all = 0.02;
 constexpr double noise_factor_min = 0.3;
 constexpr double noise_factor_max = 30.0;
@@ -95,7 +96,10 @@ struct NearGround {
     explicit NearGround(const CameraModel& camera)
         : plane(camera.mount), below_horizon_min(near_below_horizon(camera)) {}
 
-    bool shows(const RayFlow& ray) const { return plane.below_horizon(ray.at) >= below_horizon_min; }
+    bool shows(const RayFlow& ray) const {
+        const double below = plane.below_horizon(ray.at);
+        return below >= below_horizon_min && std::abs(ray.at.x()) <= aside_max_heights * below;
+    }
 
     /// 0 for the farthest vectors that count, 1 at the lower border.
     double nearness(const RayFlow& ray) const {

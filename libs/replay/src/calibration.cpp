@@ -21,9 +21,11 @@ constexpr std::uint64_t stretch_cycles = 100;  // that decide where to start
 constexpr int stretch_rounds = 3;
 constexpr int rounds_max = 4;
 constexpr double settled_deg = 0.01;
-constexpr double rescale_min = 0.1;     // a height this wrong makes cycles of the wrong length
-constexpr double agreeing_min = 0.4;    // of all vectors; below, another start may explain more
-constexpr double agreeing_least = 0.2;  // below, no floor explains the drive
+constexpr double rescale_min = 0.1;      // a height this wrong makes cycles of the wrong length
+constexpr double agreeing_min = 0.5;     // of the near vectors; below, another start may explain more
+constexpr double agreeing_plain = 0.65;  // below, the result comes with a caution
+constexpr double agreeing_least = 0.35;  // below, no floor explains the drive
+constexpr double start_sigma_max_deg = 1.0;
 constexpr double angle_sigma_max_deg = 0.3;
 constexpr double scale_sigma_max = 0.05;
 constexpr int pairs_min = 10;
@@ -99,13 +101,10 @@ class Run {
             const CalibrationDrive drive = collect(start.config, stretch_cycles);
             if (drive.pairs.empty()) return start;
             const AnglesFit fit = fit_angles(drive.pairs, MountAngles::Zero(), all_angles);
-            double vectors = 0;
-            for (const CalibrationPair& pair : drive.pairs)
-                vectors += static_cast<double>(pair.vectors.size());
             start.agreeing = fit.agreeing;
-            start.agreeing_vectors = fit.agreeing * vectors;
+            start.agreeing_vectors = fit.agreeing_vectors;
             const CameraMount mount = corrected(drive.pairs.front().reference.mount, fit.correction_rad);
-            if (!fit.settled || !within_ranges(mount)) {
+            if (!fit.settled || !within_ranges(mount) || fit.sigma_rad[0] > start_sigma_max_deg * deg) {
                 start.agreeing = start.agreeing_vectors = 0.0;
                 return start;
             }
@@ -143,7 +142,7 @@ class Run {
             drive_ = collect(config_, 0);
             if (drive_.fields == 0) throw UsageError("no field could be used in " + options_.input.string());
             fit_ = fit_angles(drive_.pairs, MountAngles::Zero(), all_angles);
-            if (options_.odometry) scale_ = fit_scale(drive_.pairs, drive_.odometry);
+            if (options_.odometry) scale_ = fit_scale(travel_pieces(), drive_.odometry);
             require_determined();
             hold_what_is_unknown();
             const bool rescale = scale_ && std::abs(scale_->ratio - 1.0) > rescale_min;
@@ -151,6 +150,14 @@ class Run {
             set_angles(config_, final_mount());
             if (rescale) config_.camera.height_m = plausible_height(assumed().height_m * scale_->ratio);
         }
+    }
+
+    std::vector<TravelPiece> travel_pieces() const {
+        std::vector<TravelPiece> pieces;
+        for (const CalibrationPair& pair : drive_.pairs)
+            if (pair.motion.forward_measured)
+                pieces.push_back({pair.begin_s, pair.end_s, pair.motion.forward_m});
+        return pieces;
     }
 
     static double plausible_height(double height_m) { return std::clamp(height_m, 0.01, 20.0); }
@@ -188,7 +195,7 @@ class Run {
         }
         if (!fit_.settled || !within_ranges(final_mount()) || fit_.agreeing < agreeing_least) {
             throw NotDetermined(found + "no pose explains it: " + fixed_text(100 * fit_.agreeing, 0) +
-                                " % of the vectors agree with a floor at the best one (pitch " +
+                                " % of the near vectors agree with a floor at the best one (pitch " +
                                 degrees_text(final_mount().pitch_rad) +
                                 " deg). Is the floor in view, and are the focal lengths right?");
         }
@@ -242,6 +249,11 @@ class Run {
         result_.notes.push_back(std::to_string(fit_.pairs) + " pairs of fields from " +
                                 options_.input.filename().string() + ", " + fixed_text(drive_.duration_s, 1) +
                                 " s, " + fixed_text(drive_.path_m, 1) + " m");
+        if (fit_.agreeing < agreeing_plain) {
+            result_.notes.push_back("Only " + fixed_text(100 * fit_.agreeing, 0) +
+                                    " % of the near vectors agree with a plane: take the values with care. A "
+                                    "level floor with nothing on it calibrates better.");
+        }
         if (!options_.odometry) {
             result_.notes.emplace_back(
                 "The height stays as it was: flow alone does not tell it. Give --odometry to take it from "

@@ -5,16 +5,23 @@
 #include <variant>
 
 #include "flownav/pipeline/pipeline.h"
+#include "flownav/sensor/make_state.h"
 
 namespace flownav {
 namespace {
 
 constexpr std::size_t most_pairs = 1200;
 
+/// A pitch that changes on the way is of no use here.
+Config without_learning(Config config) {
+    config.pipeline.pitch_online = false;
+    return config;
+}
+
 /// Keeps what is needed of the steps.
 class Collector {
   public:
-    explicit Collector(const Config& config) : state_(config.pipeline) {}
+    explicit Collector(const Config& config) : state_(make_state(without_learning(config))) {}
 
     void take(const Field& field) {
         const pipeline::Step& step = pipeline::step(state_, field);

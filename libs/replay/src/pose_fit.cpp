@@ -20,26 +20,25 @@ constexpr double travel_min_m = 0.01;
 
 }  // namespace
 
-void PoseSum::add(const PoseEquations& pair) {
+void PoseSum::add(PoseEquations pair, const MountAngles& at_rad) {
     if (pair.pairs == 0) return;
-    ++pairs_;
-    open_ += pair;
-    if (open_.pairs < pairs_per_group_) return;
-    open_.scatter = open_.gradient * open_.gradient.transpose();
-    open_.pairs = 1;
-    groups_ += open_;
-    open_ = {};
+    pair.gradient += pair.information * at_rad;
+    if (pairs_++ % pairs_per_group_ == 0) groups_.emplace_back();
+    groups_.back() += pair;
+    total_ += pair;
 }
 
-PoseEquations PoseSum::total() const {
-    PoseEquations all = groups_;
-    if (open_.pairs > 0) {
-        PoseEquations last = open_;
-        last.scatter = last.gradient * last.gradient.transpose();
-        last.pairs = 1;
-        all += last;
+PoseCorrection PoseSum::solution(const AngleMask& unknown) const {
+    PoseEquations all = only(total_, unknown);
+    const MountAngles correction = solve(all).correction_rad;
+    all.scatter.setZero();
+    all.gradient.setZero();
+    for (const PoseEquations& group : groups_) {
+        const PoseEquations part = only(group, unknown);
+        const MountAngles rest = part.gradient - part.information * correction;
+        all.scatter += rest * rest.transpose();
     }
-    return all;
+    return {correction, solve(all).sigma_rad};
 }
 
 SeenPair seen(const CalibrationPair& pair, const MountAngles& correction_rad) {
@@ -68,7 +67,7 @@ double improve(const std::vector<CalibrationPair>& pairs, const AngleMask& unkno
                std::vector<double>& pitches, std::vector<double>& rolls) {
     PoseScratch scratch;
     PoseSum sum(std::max(1, static_cast<int>(pairs.size()) / groups_wanted));
-    double vectors = 0, close = 0;
+    double near = 0, close = 0;
     pitches.clear();
     rolls.clear();
     for (const CalibrationPair& pair : pairs) {
@@ -76,20 +75,20 @@ double improve(const std::vector<CalibrationPair>& pairs, const AngleMask& unkno
         const PairFit one =
             fit_pair(s.rays, s.camera, pair.motion, Geometry::MidPoint, fit.steadiness, scratch);
         sum.add(one.equations);
-        vectors += static_cast<double>(s.rays.size());
+        near += one.near_vectors;
         close += one.close_vectors;
         if (one.equations.pairs == 0) continue;
         pitches.push_back(one.pitch_rad);
         rolls.push_back(one.roll_rad);
     }
-    const PoseEquations equations = only(sum.total(), unknown);
-    const PoseCorrection step = solve(equations);
+    const PoseCorrection step = sum.solution(unknown);
+    const MountAngles systematic = systematic_sigma_rad(only(sum.total(), unknown));
     const double length = step.correction_rad.norm();
     fit.correction_rad += step.correction_rad * std::min(1.0, step_max_rad / std::max(length, 1e-12));
-    fit.sigma_rad =
-        (step.sigma_rad.array().square() + systematic_sigma_rad(equations).array().square()).sqrt();
+    fit.sigma_rad = (step.sigma_rad.array().square() + systematic.array().square()).sqrt();
     fit.pairs = sum.pairs();
-    fit.agreeing = vectors > 0 ? close / vectors : 0.0;
+    fit.agreeing_vectors = close;
+    fit.agreeing = near > 0 ? close / near : 0.0;
     return length;
 }
 
@@ -109,22 +108,22 @@ AnglesFit fit_angles(const std::vector<CalibrationPair>& pairs, const MountAngle
     return fit;
 }
 
-std::optional<ScaleFit> fit_scale(const std::vector<CalibrationPair>& pairs, const PoseTrack& odometry) {
+std::optional<ScaleFit> fit_scale(const std::vector<TravelPiece>& flow, const PoseTrack& odometry) {
     struct Piece {
         double flow_m, odometry_m;
     };
     std::vector<Piece> pieces;
     std::vector<double> ratios;
-    for (const CalibrationPair& pair : pairs) {
-        const auto begin = odometry.ground_at(pair.begin_s);
-        const auto end = odometry.ground_at(pair.end_s);
-        if (!begin || !end || !pair.motion.forward_measured) continue;
+    for (const TravelPiece& piece : flow) {
+        const auto begin = odometry.ground_at(piece.begin_s);
+        const auto end = odometry.ground_at(piece.end_s);
+        if (!begin || !end) continue;
         const Pose2 way = compose(inverse(*begin), *end);
         const double heading = way.yaw_rad / 2;
         const double forward_m = std::cos(heading) * way.x_m + std::sin(heading) * way.y_m;
-        if (std::abs(forward_m) < travel_min_m || pair.motion.forward_m * forward_m <= 0.0) continue;
-        pieces.push_back({std::abs(pair.motion.forward_m), std::abs(forward_m)});
-        ratios.push_back(forward_m / pair.motion.forward_m);
+        if (std::abs(forward_m) < travel_min_m || piece.forward_m * forward_m <= 0.0) continue;
+        pieces.push_back({std::abs(piece.forward_m), std::abs(forward_m)});
+        ratios.push_back(forward_m / piece.forward_m);
     }
     if (static_cast<int>(pieces.size()) < scale_pairs_min) return std::nullopt;
     ScaleFit fit;

@@ -67,7 +67,7 @@ class Run {
             finish();
         }
         outputs_->write_summary(drive_, timing_);
-        return {status(), message(), outcome()};
+        return {status(), message(), drive_.camera_check.warnings, outcome()};
     }
 
   private:
@@ -126,6 +126,7 @@ class Run {
         open_outputs();
         const pipeline::Step& step = stepped(field);
         drive_.rows.push_back(row_of(step));
+        checker_.take(field, step);
         drive_.any_fields.offer(field, step);
         if (step.end_of_cycle) drive_.cycle_ends.offer(field, step);
         const Stopwatch watch(timing_.write_s);
@@ -165,6 +166,7 @@ class Run {
         if (!drive_.odometry.empty()) drive_.odometry_errors = compare(drive_.rows, drive_.odometry);
         if (!drive_.ground_truth.empty())
             drive_.ground_truth_errors = compare(drive_.rows, drive_.ground_truth);
+        drive_.camera_check = checker_.result(drive_.odometry);
         outputs_->finish(drive_);
     }
 
@@ -197,6 +199,7 @@ class Run {
 
     const ReplayOptions& options_;
     pipeline::State state_;
+    CameraChecker checker_{options_.config.pipeline.motion.geometry};
     Drive drive_;
     Timing timing_;
     std::vector<PoseSample> early_odometry_;
@@ -209,11 +212,11 @@ ReplayResult replay(const ReplayOptions& options) {
     try {
         return Run(options).result();
     } catch (const UsageError& error) {
-        return {ExitStatus::Usage, error.what(), ""};
+        return {ExitStatus::Usage, error.what(), {}, ""};
     } catch (const ConfigError& error) {
-        return {ExitStatus::Usage, error.what(), ""};
+        return {ExitStatus::Usage, error.what(), {}, ""};
     } catch (const OutputError& error) {
-        return {ExitStatus::Output, error.what(), ""};
+        return {ExitStatus::Output, error.what(), {}, ""};
     }
 }
 

@@ -71,6 +71,13 @@ std::string ending(const Drive& drive) {
            "</p>\n";
 }
 
+std::string camera_warnings(const CameraCheck& check) {
+    std::string html;
+    for (const std::string& warning : check.warnings)
+        html += "<p class='bad'>" + html_text(warning) + "</p>\n";
+    return html;
+}
+
 std::string short_facts(const Drive& drive) {
     if (drive.rows.empty()) return paragraph("No field could be used, so there is nothing to show.");
     const double duration_s = drive.rows.back().timestamp_s - drive.rows.front().timestamp_s;
@@ -197,7 +204,8 @@ std::string report_html(const Drive& drive, const mrpt::maps::COccupancyGridMap2
         "<!DOCTYPE html>\n<html lang='en'>\n<head>\n<meta charset='utf-8'>\n"
         "<meta name='viewport' content='width=device-width, initial-scale=1'>\n<title>" +
         html_text(title) + "</title>\n<style>\n" + report_style + "</style>\n</head>\n<body>\n";
-    html += "<h1>" + html_text(title) + "</h1>\n" + ending(drive) + short_facts(drive);
+    html += "<h1>" + html_text(title) + "</h1>\n" + ending(drive) + camera_warnings(drive.camera_check) +
+            short_facts(drive);
     html += section("Flow odometry compared", figures(drive));
     if (!drive.rows.empty()) {
         html += section("Curves", curves(drive));

@@ -2,6 +2,7 @@
 
 #include <mrpt/config/CConfigFileMemory.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -78,6 +79,23 @@ Json errors_part(const std::optional<Errors>& errors) {
     return part;
 }
 
+Json camera_check_part(const CameraCheck& check) {
+    const auto angle = [&check](const MountAngles& angles, int i) {
+        return check.angles_known ? rounded(angles[i] * 180.0 / M_PI) : Json(nullptr);
+    };
+    Json part = {{"verdict", check.verdict}, {"pairs", check.pairs}, {"agreeing_share", rounded(check.agreeing)}};
+    const std::array<const char*, 3> names = {"pitch", "roll", "yaw"};
+    for (int i = 0; i < 3; ++i) {
+        const std::string name = names.at(static_cast<std::size_t>(i));
+        part[name + "_error_deg"] = angle(check.angles.correction_rad, i);
+        part[name + "_sigma_deg"] = angle(check.angles.sigma_rad, i);
+    }
+    part["odometry_ratio"] = check.scale ? rounded(check.scale->ratio) : Json(nullptr);
+    part["odometry_ratio_sigma"] = check.scale ? rounded(check.scale->sigma) : Json(nullptr);
+    part["warnings"] = Json(check.warnings);
+    return part;
+}
+
 Json config_part(const Config& config) {
     const mrpt::config::CConfigFileMemory ini(dump_config(config));
     Json part = Json::object();
@@ -113,6 +131,7 @@ std::string summary_json(const Drive& drive, const Config& config, const Timing&
     summary["drive"] = drive_part(drive.rows);
     summary["errors"] = {{"ground_truth", errors_part(drive.ground_truth_errors)},
                          {"odometry", errors_part(drive.odometry_errors)}};
+    summary["camera_check"] = camera_check_part(drive.camera_check);
     summary["config"] = config_part(config);
     summary["timing"] = timing_part(timing, drive.rows.size());
     // A file's name may hold bytes that are no UTF-8: they are replaced, the file is written all the same.

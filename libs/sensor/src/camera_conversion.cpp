@@ -58,12 +58,9 @@ void require_range(const char* key, double value, double low, double high, const
 }
 
 void require_usable_mount(const CameraMount& m) {
-    if (!(m.height_m > 0)) {
-        std::ostringstream text;
-        text << "camera.height_m = " << m.height_m
-             << " is out of range (> 0): set it to the camera's height over the ground in metres";
-        throw ConfigError(text.str());
-    }
+    require_range("camera.height_m", m.height_m, 0.01, 20,
+                  "the camera's height over the ground in metres. Correct the recorded cameraPose or set "
+                  "camera.height_m");
     require_range("camera.pitch_deg", m.pitch_rad / deg, -5, 80,
                   "the camera has to look ahead or down; > 0 looks down. Correct the recorded cameraPose or "
                   "set camera.pitch_deg");

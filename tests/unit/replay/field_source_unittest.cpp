@@ -287,8 +287,8 @@ TEST(FieldSource, UnusableCameraPosesAreErrorsThatNameKeyValueAndRange) {
     expect_names(config_error_of_pose(0, 0.5, 0, 85, 0), {"camera.pitch_deg", "85", "-5 .. 80"});
     expect_names(config_error_of_pose(0, 0.5, 0, 10, 15), {"camera.roll_deg", "15", "-10 .. 10"});
     expect_names(config_error_of_pose(0, 0.5, -30, 10, 0), {"yaw", "-30", "-10 .. 10"});
-    expect_names(config_error_of_pose(0.1, 0, 0, 10, 0), {"camera.height_m", "0", "> 0"});
-    expect_names(config_error_of_pose(0, -0.3, 0, 10, 0), {"camera.height_m", "-0.3", "> 0"});
+    expect_names(config_error_of_pose(0.1, 0, 0, 10, 0), {"camera.height_m", "0", "0.01 .. 20"});
+    expect_names(config_error_of_pose(0, -0.3, 0, 10, 0), {"camera.height_m", "-0.3", "0.01 .. 20"});
     expect_names(config_error_of_pose(0, std::nan(""), 0, 10, 0), {"no number"});
     EXPECT_EQ(config_error_of_pose(0, 0.5, 5, 10, -5), "");
 }

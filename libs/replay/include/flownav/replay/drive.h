@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "flownav/replay/annotated_field.h"
+#include "flownav/replay/camera_check.h"
 #include "flownav/replay/field_row.h"
 #include "flownav/replay/field_source.h"
 #include "flownav/replay/metrics.h"
@@ -47,7 +48,8 @@ struct Drive {
     PoseTrack ground_truth;
     std::optional<Errors> odometry_errors;      ///< empty when the rawlog has no odometry
     std::optional<Errors> ground_truth_errors;  ///< empty when the rawlog has no ground truth
-    Gallery cycle_ends;                         ///< pictures of finished cycles
+    CameraCheck camera_check;
+    Gallery cycle_ends;  ///< pictures of finished cycles
     Gallery any_fields;  ///< pictures of all fields, for drives without finished cycles
 };
 

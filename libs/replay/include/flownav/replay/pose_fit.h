@@ -12,17 +12,19 @@ namespace flownav {
 class PoseSum {
   public:
     explicit PoseSum(int pairs_per_group) : pairs_per_group_(pairs_per_group) {}
-    void add(const PoseEquations& pair);
 
-    /// Its `pairs` counts groups.
-    PoseEquations total() const;
+    /// `at_rad`: the correction with which the pair was seen.
+    void add(PoseEquations pair, const MountAngles& at_rad = MountAngles::Zero());
+
     int pairs() const { return pairs_; }
+    const PoseEquations& total() const { return total_; }
+    PoseCorrection solution(const AngleMask& unknown = {true, true, true}) const;
 
   private:
     int pairs_per_group_;
     int pairs_ = 0;
-    PoseEquations groups_;  ///< finished ones; its `pairs` counts groups
-    PoseEquations open_;
+    PoseEquations total_;
+    std::vector<PoseEquations> groups_;
 };
 
 /// Angles of the camera that explain a drive.
@@ -32,7 +34,8 @@ struct AnglesFit {
     Steadiness steadiness;  ///< as the drive showed it
     bool settled = false;
     int pairs = 0;
-    double agreeing = 0.0;  ///< share of all vectors that move like the floor, within a pixel or so
+    double agreeing_vectors = 0.0;  ///< that move like the floor, within a pixel or so
+    double agreeing = 0.0;          ///< their share of those where the near floor is expected
 };
 
 /// Gauss-Newton over all pairs, from a correction to start with.
@@ -56,7 +59,13 @@ struct ScaleFit {
     int pairs = 0;
 };
 
+/// A cycle's travel by flow.
+struct TravelPiece {
+    double begin_s, end_s;
+    double forward_m;
+};
+
 /// Nothing when odometry and flow share too few pieces of forward driving.
-std::optional<ScaleFit> fit_scale(const std::vector<CalibrationPair>& pairs, const PoseTrack& odometry);
+std::optional<ScaleFit> fit_scale(const std::vector<TravelPiece>& flow, const PoseTrack& odometry);
 
 }  // namespace flownav

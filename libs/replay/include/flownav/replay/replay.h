@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "flownav/replay/progress.h"
 #include "flownav/sensor/config.h"
@@ -24,8 +25,9 @@ enum class ExitStatus {
 
 struct ReplayResult {
     ExitStatus status = ExitStatus::Fine;
-    std::string message;  ///< what, where, what to do; empty when all is fine
-    std::string outcome;  ///< what was found, in one line; empty when nothing was written
+    std::string message;                ///< what, where, what to do; empty when all is fine
+    std::vector<std::string> warnings;  ///< about the camera's pose
+    std::string outcome;                ///< what was found, in one line; empty when nothing was written
 };
 
 /// Runs the complete sensing chain over a rawlog and writes everything that share/doc/outputs.md lists. Never

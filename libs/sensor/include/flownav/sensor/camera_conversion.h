@@ -24,7 +24,7 @@ CameraModel camera_model(const CameraConfig& config, int width_px, int height_px
 /// The camera that took a recorded image of width_px x height_px: the recording's calibration and pose, each
 /// value replaced by the ini's where that has one. Woven frames: the camera of the whole frame.
 /// Throws ConfigError: no calibration (names the keys), a lens model other than plumb bob, no optical pose,
-/// height not positive, pitch outside -5..80 deg, roll or yaw over 10 deg.
+/// height outside 0.01..20 m, pitch outside -5..80 deg, roll or yaw over 10 deg.
 CameraModel camera_model(const mrpt::obs::CObservationImage& image, const CameraConfig& config, int width_px,
                          int height_px);
 
