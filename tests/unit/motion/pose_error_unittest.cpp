@@ -91,6 +91,56 @@ TEST(PoseError, AllAnglesAreFoundTogetherFromFarOff) {
     EXPECT_NEAR(found[2], -2.0, 0.01);
 }
 
+/// Flow of the floor, with a third of the vectors on something that is nearer, and noise.
+std::vector<FlowVector> with_obstacles(const Pair& pair, testing::Random& random) {
+    std::vector<FlowVector> vectors = testing::exact_vectors(pair);
+    for (FlowVector& v : vectors) {
+        if (v.at_px.x() > 400.0) v.flow_px *= 1.3;
+        v.flow_px += Eigen::Vector2d(random.normal(0.1), random.normal(0.1));
+    }
+    return vectors;
+}
+
+TEST(PoseError, VectorsThatDoNotMoveLikeTheFloorAreRejected) {
+    const Pair pair = testing::drive(camera_with(1.0, 0.0, 0.0), 0.4, 8.0, cycle);
+    testing::Random random(3);
+    PoseEquations sum;
+    for (int run = 0; run < 30; ++run)
+        sum += fit(pair, with_obstacles(pair, random), pair.from.camera.mount).equations;
+    EXPECT_NEAR(solve(sum).correction_rad[0] / degree, 0.0, 0.08);
+}
+
+TEST(PoseError, TheDeviationIsThatOfTheErrors) {
+    const Pair pair = testing::drive(testing::standard_camera(), 0.4, 8.0, cycle);
+    testing::Random random(4);
+    double pulls2 = 0.0;
+    constexpr int runs = 60;
+    for (int run = 0; run < runs; ++run) {
+        std::vector<FlowVector> noisy = testing::exact_vectors(pair);
+        for (FlowVector& v : noisy) v.flow_px += Eigen::Vector2d(random.normal(0.3), random.normal(0.3));
+        const PoseCorrection found =
+            solve(only(fit(pair, noisy, pair.from.camera.mount).equations, {true, false, false}));
+        pulls2 += std::pow(found.correction_rad[0] / found.sigma_rad[0], 2) / runs;
+    }
+    EXPECT_NEAR(std::sqrt(pulls2), 1.0, 0.35);
+}
+
+TEST(PoseError, ARobotThatOnlyTurnsDoesNotTellThePose) {
+    const Pair pair = testing::drive(testing::standard_camera(), 0.0, 20.0, cycle);
+    const PoseCorrection found =
+        solve(fit(pair, testing::exact_vectors(pair), testing::standard_camera().mount).equations);
+    EXPECT_GT(found.sigma_rad[0], 2.0 * degree);
+    EXPECT_LT(std::abs(found.correction_rad[0]), 0.2 * degree);
+}
+
+TEST(PoseError, TooFewVectorsGiveNoEquations) {
+    const Pair pair = testing::drive(testing::standard_camera(), 0.4, 0.0, cycle);
+    std::vector<FlowVector> few = testing::exact_vectors(pair);
+    few.resize(10);
+    EXPECT_EQ(fit(pair, few, pair.from.camera.mount).equations.pairs, 0);
+    EXPECT_EQ(fit(pair, {}, pair.from.camera.mount).equations.pairs, 0);
+}
+
 TEST(PoseError, TheModelIsExactForFiniteMotionAndACameraOffTheAxis) {
     CameraModel camera = camera_with(0.0, 1.0, -0.5);
     camera.mount.forward_m = 0.3;

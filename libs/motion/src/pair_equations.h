@@ -1,0 +1,79 @@
+#pragma once
+#include <Eigen/Dense>
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "flownav/motion/pose_error.h"
+#include "ground_homography.h"
+
+namespace flownav {
+
+/// Normal equations of one pair: the camera's angles first, then the pair's own motion.
+class PairEquations {
+  public:
+    static constexpr int angles = 3;
+    static constexpr int unknowns = angles + PairMotion::size;
+    using Jacobian = Eigen::Matrix<double, 2, unknowns>;
+    using Own = Eigen::Matrix<double, PairMotion::size, 1>;
+
+    /// `depth_share`: 0 for the farthest of the near floor, 1 at the lower border; `pixel`: one pixel in the
+    /// units of the residual.
+    void add(const Jacobian& J, const Eigen::Vector2d& residual, double weight, double depth_share,
+             const Eigen::Vector2d& pixel) {
+        const Column gradient = weight * J.transpose() * residual;
+        N_.noalias() += weight * J.transpose() * J;
+        g_ += gradient;
+        strips_.col(std::clamp(static_cast<int>(depth_share * strips), 0, strips - 1)) += gradient;
+        const Eigen::Vector2d error = matching_error_px * (2.0 * depth_share - 1.0) * pixel;
+        strips_.rightCols<2>() += weight * J.transpose() * error.asDiagonal();
+    }
+
+    /// What is known of the pair's pitch and roll beforehand.
+    void expect(const PairMotion& own, const Steadiness& steadiness) {
+        for (const auto& [i, sigma_rad] : {std::pair(PairMotion::pitch, steadiness.pitch_rad),
+                                           std::pair(PairMotion::roll, steadiness.roll_rad)}) {
+            const double weight = 1.0 / (sigma_rad * sigma_rad);
+            N_(angles + i, angles + i) += weight;
+            g_[angles + i] -= weight * own.values[i];
+        }
+    }
+
+    /// The step of the pair's own motion, with the angles as they are.
+    std::optional<Own> own_step() const {
+        const Eigen::LDLT<Eigen::Matrix4d> own(N_.bottomRightCorner<PairMotion::size, PairMotion::size>());
+        if (own.info() != Eigen::Success || own.rcond() < rcond_min) return std::nullopt;
+        return Own(own.solve(g_.tail<PairMotion::size>()));
+    }
+
+    /// The equations of the angles alone (Schur complement); no pairs when they cannot be told apart.
+    PoseEquations eliminated() const {
+        PoseEquations e;
+        const Eigen::LDLT<Eigen::Matrix4d> own(N_.bottomRightCorner<PairMotion::size, PairMotion::size>());
+        if (own.info() != Eigen::Success || own.rcond() < rcond_min) return e;
+        // Angles and own motion -> angles alone.
+        Eigen::Matrix<double, angles, unknowns> E;
+        E.leftCols<angles>().setIdentity();
+        E.rightCols<PairMotion::size>() =
+            -own.solve(N_.bottomLeftCorner<PairMotion::size, angles>()).transpose();
+        e.information = E * N_.leftCols<angles>();
+        e.gradient = E * g_;
+        e.scatter = e.gradient * e.gradient.transpose();
+        e.strips = E * strips_;
+        e.pairs = 1;
+        return e;
+    }
+
+  private:
+    static constexpr int strips = 8;
+    static constexpr double matching_error_px = 0.02;  // of block matching, in rows of one distance alike
+    static constexpr double rcond_min = 1e-12;
+    using Normal = Eigen::Matrix<double, unknowns, unknowns>;
+    using Column = Eigen::Matrix<double, unknowns, 1>;
+
+    Normal N_ = Normal::Zero();
+    Column g_ = Column::Zero();
+    Eigen::Matrix<double, unknowns, strips + 2> strips_ = Eigen::Matrix<double, unknowns, strips + 2>::Zero();
+};
+
+}  // namespace flownav
