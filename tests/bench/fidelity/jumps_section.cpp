@@ -50,10 +50,10 @@ Trial cold_trial(const testing::Scene& scene, int k) {
 /// The same after as many more images as the running cycle needs to end.
 Trial to_end_of_cycle(const RenderedScene& drive, Trial trial) {
     pipeline::State state{pipeline::Params{}};
-    for (int i = 0; i < trial.primed + longest_cycle; ++i) {
-        const auto image = static_cast<std::size_t>(trial.first + i);
-        if (!pipeline::step(state, drive.fields[image]).end_of_cycle || i + 1 < trial.primed) continue;
-        trial.primed = i + 1;
+    for (int i = trial.first; i < trial.first + trial.primed + longest_cycle; ++i) {
+        const bool ended = pipeline::step(state, drive.fields[static_cast<std::size_t>(i)]).end_of_cycle;
+        if (!ended || i + 1 < trial.first + trial.primed) continue;
+        trial.primed = i + 1 - trial.first;
         break;
     }
     return trial;

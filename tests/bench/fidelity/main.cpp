@@ -104,7 +104,9 @@ Score score_of(const std::string& name, Arguments& arguments, const Config& conf
     for (const std::string& seed : split(arguments.seed.getValue())) {
         testing::SceneOptions options = testing::preset(name, seed_of(seed)).value();
         if (arguments.images.isSet()) options.images = arguments.images.getValue();
-        score.add(evaluate(render_scene(name + '-' + seed, options, arguments.cache.getValue()), config));
+        std::string title = name;
+        title.append("-").append(seed);
+        score.add(evaluate(render_scene(title, options, arguments.cache.getValue()), config));
     }
     return score;
 }

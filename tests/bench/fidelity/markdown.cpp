@@ -32,7 +32,7 @@ std::string to_markdown(const Table& table) {
 }
 
 std::string cell(double value, int decimals, const std::optional<Target>& target) {
-    const std::string text = fixed_text(value, decimals);
+    std::string text = fixed_text(value, decimals);
     if (text.empty()) return "-";
     if (!target) return text;
     const double size = std::abs(value);

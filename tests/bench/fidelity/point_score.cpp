@@ -119,7 +119,9 @@ void PointWatcher::see_chairs(const Moment& m) {
     const World world = world_at(m);
     const auto things = things_of(world);
     std::set<int> in_sight;
-    for (const auto& [object, thing] : things) {
+    for (const auto& item : things) {
+        const int object = item.first;
+        const Thing& thing = item.second;
         if (thing.kind != testing::ThingKind::Chair || !ahead_between(m, thing, 2.0, 4.0)) continue;
         if (in_sight.empty()) in_sight = objects_in_sight(m);
         if (in_sight.count(object) == 0) continue;

@@ -63,7 +63,8 @@ TEST(RenderedScene, ComesBackFromItsCacheAndOnlyForTheSameScene) {
     std::filesystem::create_directories(cache);
     const auto pixels = [](const RenderedScene& scene) {
         const ImageView& image = scene.fields.back().image;
-        return std::vector<std::uint8_t>(image.data, image.data + image.width_px * image.height_px);
+        const auto size = static_cast<std::ptrdiff_t>(image.width_px) * image.height_px;
+        return std::vector<std::uint8_t>(image.data, image.data + size);
     };
     const auto files = [&] { return std::distance(std::filesystem::directory_iterator(cache), {}); };
     const auto rendered = pixels(short_drive(cache));

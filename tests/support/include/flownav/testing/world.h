@@ -18,6 +18,7 @@ const char* to_string(ThingKind kind);
 /// metres.
 struct Primitive {
     Shape shape = Shape::Box;
+    ThingKind kind = ThingKind::Box;
     Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();
     double z_low_m = 0.0;
     double z_high_m = 1.0;
@@ -27,7 +28,6 @@ struct Primitive {
     Texture texture;
     int object = 0;  ///< primitives of one thing share a number; walls have wall_object
     Eigen::Vector2d velocity_mps = Eigen::Vector2d::Zero();
-    ThingKind kind = ThingKind::Box;
 };
 
 constexpr int wall_object = 100;
