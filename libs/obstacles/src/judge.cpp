@@ -44,8 +44,8 @@ Judgement judge(const RayFlow& travel, const CameraModel& camera, const EgoMotio
     const double tau_px =
         std::max(params.tau_px, significance * deviation / one_px) + 2.0 * travel_error * ground_px;
     // Eq. (11)
-    const double across_px = std::abs(cross(e, d)) / (length * deviation_across(e, one_pixel(camera)));
-    if (across_px >= params.lambda_px || e.dot(d) <= 0.0) {
+    j.across_px = std::abs(cross(e, d)) / (length * deviation_across(e, one_pixel(camera)));
+    if (j.across_px >= params.lambda_px || e.dot(d) <= 0.0) {
         j.fate = BlockFate::Eliminated;
     } else if (j.excess_px > tau_px) {
         j.fate = BlockFate::Unsupported;

@@ -13,8 +13,9 @@ using Eigen::Vector2d;
 
 constexpr double drift_tolerance = 0.2;  // of the larger of two drifts
 constexpr double deviations = 3.0;
-constexpr double border_px = 8.0;     // a region that ends so near the lower border may go on below it
-constexpr double row_sigma_px = 4.6;  // of the contact: anywhere in the lowest block
+constexpr double across_min_px = 2.5;  // rolling and swaying make smaller ones
+constexpr double border_px = 8.0;      // a region that ends so near the lower border may go on below it
+constexpr double row_sigma_px = 4.6;   // of the contact: anywhere in the lowest block
 constexpr double below_horizon_min = 0.05;
 constexpr double worthless_sigma = 1.0 / 3.0;  // of the distance
 constexpr double height_min_m = -0.2;          // lower points are not on something that stands at the contact
@@ -37,7 +38,9 @@ bool similar_drift(const Judgement& p, const Judgement& q) {
 }
 
 bool may_move(const Judgement& judgement) {
-    return judgement.measured && judgement.fate == BlockFate::Eliminated;
+    const bool backward =
+        judgement.inverse_depth < 0.0 && -judgement.inverse_depth > deviations * judgement.sigma;
+    return judgement.fate == BlockFate::Eliminated && (judgement.across_px > across_min_px || backward);
 }
 
 std::optional<GroundContact> ground_contact(const Vector2d& lowest_px, const RayMapper& newest) {

@@ -40,9 +40,4 @@ bool is_confident(const FlowVector& vector, const FlowParams& params);
 void measure(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
              const MotionPrediction& prediction, const MeasureContext& context, Measurement& m);
 
-/// Searches turns and speeds far beyond what one search window reaches, by windows slid along h and along e.
-/// Returns the motion with the most support; m holds the last trial afterwards.
-MotionPrediction search_motion(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
-                               const MeasureContext& context, Measurement& m);
-
 }  // namespace flownav::pipeline

@@ -8,6 +8,7 @@
 #include "flownav/obstacles/virtual_scan.h"
 #include "obstacle_stage.h"
 #include "rate_control.h"
+#include "search.h"
 #include "state.h"
 
 namespace flownav::pipeline {
@@ -18,6 +19,8 @@ using Impl = State::Impl;
 
 constexpr int confident_min = 12;  // vectors; with fewer there is no texture to speak of
 constexpr int inliers_min = 10;
+constexpr double inlier_share = 0.5;        // of the confident vectors, or
+constexpr double placed_share = 0.12;       // of the blocks must agree with a motion
 constexpr double expected_share = 0.3;      // of the image's cells must agree with a motion as predicted,
 constexpr double unexpected_share = 0.5;    // and with any other
 constexpr double turn_change_radps2 = 2.0;  // of a robot, at the most
@@ -122,7 +125,10 @@ void restart(Impl& s, bool new_camera) {
 /// move along, or the last motion must be long gone.
 bool credible(const Impl& s, const Measurement& m, double since_last_s) {
     const MotionEstimate& e = m.estimate;
-    if (e.motion.inliers < inliers_min) return false;
+    // A handful agrees by chance, unless it is most of what there is.
+    const int confident = static_cast<int>(m.samples.size());
+    const double enough = std::min(inlier_share * confident, placed_share * m.placed);
+    if (e.motion.inliers < std::max<double>(inliers_min, enough)) return false;
     const bool prediction_worthless = !s.rates.known || s.rates.held_s + since_last_s > hold_s;
     if (e.as_predicted && !prediction_worthless) return e.support_share >= expected_share;
     return e.support_share >= unexpected_share && (prediction_worthless || e.motion.forward_measured);
@@ -133,7 +139,9 @@ bool measure_newest(Impl& s, const MotionPrediction& prediction, double since_la
     const MeasureContext context{s.params, s.matcher};
     measure(s.reference, s.newest, s.layout, prediction, context, s.measured);
     if (credible(s, s.measured, since_last_s)) return true;
-    const MotionPrediction found = search_motion(s.reference, s.newest, s.coarse_layout, context, s.trial);
+    MotionPrediction found =
+        search_motion(s.reference, s.newest, s.coarse_layout, prediction, context, s.trial);
+    found.chord_rad = chord_direction(s.cycle, found.omega_rad);
     measure(s.reference, s.newest, s.layout, found, context, s.trial);
     s.trial.estimate.as_predicted =
         std::abs(s.trial.estimate.motion.omega_rad - prediction.omega_rad) <= prediction.omega_tolerance_rad;
@@ -210,7 +218,8 @@ void publish_motion(Impl& s, double since_last_s) {
     out.v_mps = out.motion.forward_m / seconds_since_reference(s);
     out.cycle_images =
         s.rates.v_known ? plan_cycle(s.params.rate, out.v_mps * since_last_s) : blind_cycle_images;
-    out.end_of_cycle = out.image_of_cycle >= out.cycle_images || worn_out(s);
+    const bool complete = out.image_of_cycle >= out.cycle_images && out.status == FieldStatus::Ok;
+    out.end_of_cycle = worn_out(s) || complete;  // an image that could not be compared is no good reference
     out.v_measured = out.motion.forward_measured && out.end_of_cycle;
     out.T_start_robot = compose(s.T_start_reference,
                                 along_arc(out.motion.omega_rad, out.motion.forward_m, out.motion.chord_rad));

@@ -36,6 +36,7 @@ struct Grid {
             for (int x = x0; x < x1; ++x) {
                 judgements[y * columns + x].fate = BlockFate::Eliminated;
                 judgements[y * columns + x].drift = {drift, 0.02};
+                judgements[y * columns + x].across_px = 5.0;
             }
         }
     }

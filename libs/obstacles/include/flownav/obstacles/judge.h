@@ -20,6 +20,7 @@ struct Judgement {
     Eigen::Vector2d drift = Eigen::Vector2d::Zero();  ///< d of Eq. (9), an image, on the normalised plane
     double drift_sigma = 0.0;                         ///< standard deviation of drift in its worse direction
     bool measured = false;                            ///< false: there is no vector
+    double across_px = 0.0;                           ///< Eq. (11): distance from the line through the FOE
 };
 
 /// Eliminates by (11) and decides by (13). `travel`: a vector without its rotation, see Derotation.

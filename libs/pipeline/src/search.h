@@ -1,0 +1,15 @@
+#pragma once
+#include "measure.h"
+
+namespace flownav::pipeline {
+
+/// Finds a motion that is far from the predicted one: pitches about the prediction, then turns and speeds by
+/// windows slid along h and along e, on the images and on images of a quarter of their size, where a window
+/// reaches four times as far. Returns the motion with the most support among the blocks of `layout`, a few
+/// of those that are measured otherwise; m holds the last trial afterwards. The quarter images are made
+/// anew: a search allocates, following a motion does not.
+MotionPrediction search_motion(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
+                               const MotionPrediction& prediction, const MeasureContext& context,
+                               Measurement& m);
+
+}  // namespace flownav::pipeline
