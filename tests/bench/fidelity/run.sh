@@ -5,28 +5,21 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)
 
 usage() {
     cat <<END
-usage: tests/bench/fidelity/run.sh [--cache DIR] [--help]
-  --cache DIR   keep the rendered pictures there (1.4 GB) and use them again; without it they are rendered anew
-Writes share/doc/fidelity.md and share/doc/fidelity-*.svg; takes about a quarter of an hour on two cores. Exit status:
-0 written, 1 otherwise.
+usage: tests/bench/fidelity/run.sh [--help]
+Writes share/doc/fidelity.md and share/doc/fidelity-*.svg. Takes about a quarter of an hour on two cores, five minutes
+when build/fidelity-cache (1.4 GB) still holds the rendered pictures. FLOWNAV_DATA names the folder of the optional
+recordings of real drives (default: ../shared/data beside the checkout). Exit status: 0 written, 1 otherwise.
 END
 }
 
-cache=
-while [ $# -gt 0 ]; do
-    case $1 in
-        --cache) cache=${2:?--cache needs a folder} && shift 2 ;;
+for argument in "$@"; do
+    case $argument in
         --help | -h) usage && exit 0 ;;
-        *) echo "run.sh: unknown argument $1" >&2 && usage >&2 && exit 1 ;;
+        *) echo "run.sh: unknown argument $argument" >&2 && usage >&2 && exit 1 ;;
     esac
 done
-temporary=
-if [ -z "$cache" ]; then
-    temporary=$(mktemp -d)
-    trap 'rm -rf "$temporary"' EXIT
-    cache=$temporary
-fi
+
 cd "$root"
 cmake --preset release
 cmake --build --preset release --target flownav-fidelity
-build/release/tests/bench/fidelity/flownav-fidelity --page share/doc/fidelity.md --cache "$cache"
+build/release/tests/bench/fidelity/flownav-fidelity --page share/doc/fidelity.md --cache build/fidelity-cache
