@@ -9,7 +9,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double half_block_px = 8.0;
-constexpr double worthless_sigma = 0.1;  // of the range
+constexpr double worthless_sigma = 0.12;  // of the range
 constexpr double below_horizon_min = 0.02;
 
 std::optional<Vector2d> ground_point(const Vector2d& at_px, const RayMapper& mapper) {
