@@ -181,6 +181,22 @@ TEST_F(ReplayProgram, SettingsOnTheCommandLineComeAfterTheFile) {
     EXPECT_EQ(summary()["config"]["obstacles"]["tau_px"], "2");
 }
 
+TEST_F(ReplayProgram, ARightCameraPoseIsConsistentAndNothingIsSaid) {
+    const Outcome run = replay(corridor);
+    EXPECT_EQ(run.error, "");
+    EXPECT_EQ(summary()["camera_check"]["verdict"], "consistent");
+}
+
+TEST_F(ReplayProgram, ACameraPoseThatContradictsTheFlowIsReportedEverywhere) {
+    const Outcome run = replay(corridor, {"--set", "camera.pitch_deg=30"});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_TRUE(has(run.error, "warning: camera.pitch_deg = 30.00 contradicts the flow")) << run.error;
+    const auto check = summary()["camera_check"];
+    EXPECT_EQ(check["verdict"], "pose_contradicts_flow");
+    EXPECT_NEAR(check["pitch_error_deg"].get<double>(), -5.0, 1.0);
+    EXPECT_TRUE(has(content(output / "report.html"), "contradicts the flow of the floor"));
+}
+
 TEST_F(ReplayProgram, BothMatchersDriveThroughTheCorridor) {
     for (const std::string matcher : {"sad", "lk"}) {
         ASSERT_EQ(replay(corridor, {"--quiet", "--set", "flow.matcher=" + matcher}).status, 0);

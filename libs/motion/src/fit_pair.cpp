@@ -99,9 +99,10 @@ struct NearGround {
 double robust_noise(const std::vector<RayFlow>& rays, const NearGround& near, const Matrix3d& H,
                     Geometry geometry, PoseScratch& scratch) {
     scratch.values.clear();
-    for (const RayFlow& ray : rays)
-        if (near.shows(ray))
-            scratch.values.push_back(residual_of(ends_of(ray, geometry), ray.sigma, H).norm());
+    for (const RayFlow& ray : rays) {
+        if (!near.shows(ray)) continue;
+        scratch.values.push_back(residual_of(ends_of(ray, geometry), ray.sigma, H).norm());
+    }
     if (static_cast<int>(scratch.values.size()) < vectors_min) return 0.0;
     const auto middle = scratch.values.begin() + static_cast<std::ptrdiff_t>(scratch.values.size() / 2);
     std::nth_element(scratch.values.begin(), middle, scratch.values.end());

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "calibration_ini.h"
+#include "calibration_start.h"
 #include "flownav/core/plane_geometry.h"
 #include "flownav/core/version.h"
 #include "flownav/replay/number_text.h"
@@ -17,21 +18,15 @@ namespace flownav {
 namespace {
 
 constexpr double deg = M_PI / 180;
-constexpr std::uint64_t stretch_cycles = 100;  // that decide where to start
-constexpr int stretch_rounds = 3;
 constexpr int rounds_max = 4;
 constexpr double settled_deg = 0.01;
 constexpr double rescale_min = 0.1;      // a height this wrong makes cycles of the wrong length
-constexpr double agreeing_min = 0.5;     // of the near vectors; below, another start may explain more
 constexpr double agreeing_plain = 0.65;  // below, the result comes with a caution
 constexpr double agreeing_least = 0.35;  // below, no floor explains the drive
-constexpr double start_sigma_max_deg = 1.0;
 constexpr double angle_sigma_max_deg = 0.3;
 constexpr double scale_sigma_max = 0.05;
 constexpr int pairs_min = 10;
-constexpr double scan_first_deg = 5.0, scan_last_deg = 65.0, scan_step_deg = 10.0;
 constexpr double longer_cycles = 1.5;  // the longer the way, the less a vector's pixel errors count
-constexpr double height_unknown_m = 1.0;
 constexpr AngleMask all_angles = {true, true, true};
 
 /// What was asked for makes no sense, or not enough could be seen; what() says why.
@@ -64,13 +59,6 @@ std::string degrees_text(double angle_rad) {
     return fixed_text(angle_rad / deg, 3);
 }
 
-/// A hypothesis about the camera, and how well it explains a stretch of the drive.
-struct Start {
-    Config config;
-    double agreeing_vectors = 0.0;
-    double agreeing = 0.0;
-};
-
 class Run {
   public:
     explicit Run(const CalibrationOptions& options)
@@ -81,7 +69,9 @@ class Run {
     CalibrationResult result() {
         refuse_bad_input(options_.input);
         refuse_overwriting(options_);
-        find_start();
+        const CalibrationStart start = find_start(options_.input, config_, options_.odometry);
+        config_ = start.config;
+        given_ = start.given;
         refine();
         judge();
         write();
@@ -89,57 +79,9 @@ class Run {
     }
 
   private:
-    CalibrationDrive collect(const Config& config, std::uint64_t cycles_max) {
-        Progress silent(stdout, Progress::Style::Silent);
-        return collect_pairs(options_.input, config, cycles_max, cycles_max > 0 ? silent : progress_);
-    }
-
-    /// Moves a hypothesis to what explains the stretch best.
-    Start settled_start(Config config) {
-        Start start{std::move(config), 0, 0};
-        for (int round = 0; round < stretch_rounds; ++round) {
-            const CalibrationDrive drive = collect(start.config, stretch_cycles);
-            if (drive.pairs.empty()) return start;
-            const AnglesFit fit = fit_angles(drive.pairs, MountAngles::Zero(), all_angles);
-            start.agreeing = fit.agreeing;
-            start.agreeing_vectors = fit.agreeing_vectors;
-            const CameraMount mount = corrected(drive.pairs.front().reference.mount, fit.correction_rad);
-            if (!fit.settled || !within_ranges(mount) || fit.sigma_rad[0] > start_sigma_max_deg * deg) {
-                start.agreeing = start.agreeing_vectors = 0.0;
-                return start;
-            }
-            set_angles(start.config, mount);
-            if (fit.correction_rad.norm() < settled_deg * 10 * deg) break;
-        }
-        return start;
-    }
-
-    void find_start() {
-        std::optional<Start> best;
-        try {
-            given_ = collect(config_, 1).first_field.camera.mount;
-            best = settled_start(config_);
-            if (best->agreeing >= agreeing_min) {
-                config_ = best->config;
-                return;
-            }
-        } catch (const ConfigError&) {
-            if (config_.camera.pitch_deg) throw;
-            if (options_.odometry && !config_.camera.height_m) config_.camera.height_m = height_unknown_m;
-        }
-        Config scan = config_;
-        for (double pitch = scan_first_deg; pitch <= scan_last_deg; pitch += scan_step_deg) {
-            scan.camera.pitch_deg = pitch;
-            if (!given_) given_ = collect(scan, 1).first_field.camera.mount;
-            const Start start = settled_start(scan);
-            if (!best || start.agreeing_vectors > best->agreeing_vectors) best = start;
-        }
-        config_ = best->config;
-    }
-
     void refine() {
         for (int round = 0; round < rounds_max; ++round) {
-            drive_ = collect(config_, 0);
+            drive_ = collect_pairs(options_.input, config_, 0, progress_);
             if (drive_.fields == 0) throw UsageError("no field could be used in " + options_.input.string());
             fit_ = fit_angles(drive_.pairs, MountAngles::Zero(), all_angles);
             if (options_.odometry) scale_ = fit_scale(travel_pieces(), drive_.odometry);
@@ -154,9 +96,10 @@ class Run {
 
     std::vector<TravelPiece> travel_pieces() const {
         std::vector<TravelPiece> pieces;
-        for (const CalibrationPair& pair : drive_.pairs)
-            if (pair.motion.forward_measured)
-                pieces.push_back({pair.begin_s, pair.end_s, pair.motion.forward_m});
+        for (const CalibrationPair& pair : drive_.pairs) {
+            if (!pair.motion.forward_measured) continue;
+            pieces.push_back({pair.begin_s, pair.end_s, pair.motion.forward_m});
+        }
         return pieces;
     }
 
@@ -173,8 +116,8 @@ class Run {
         if (known == all_angles) return;
         const CameraMount mount = assumed();
         MountAngles start = MountAngles::Zero();
-        if (!known[1]) start[1] = given_->roll_rad - mount.roll_rad;
-        if (!known[2]) start[2] = given_->yaw_rad - mount.yaw_rad;
+        if (!known[1]) start[1] = given_.roll_rad - mount.roll_rad;
+        if (!known[2]) start[2] = given_.yaw_rad - mount.yaw_rad;
         const MountAngles sigma = fit_.sigma_rad;
         fit_ = fit_angles(drive_.pairs, start, known);
         if (!known[1]) fit_.sigma_rad[1] = sigma[1];
@@ -201,32 +144,21 @@ class Run {
         }
     }
 
-    static bool within_ranges(const CameraMount& m) {
-        return m.pitch_rad > -5 * deg && m.pitch_rad < 80 * deg && std::abs(m.roll_rad) < 10 * deg &&
-               std::abs(m.yaw_rad) < 10 * deg;
-    }
-
-    static void set_angles(Config& config, const CameraMount& mount) {
-        config.camera.pitch_deg = mount.pitch_rad / deg;
-        config.camera.roll_deg = mount.roll_rad / deg;
-        config.camera.yaw_deg = mount.yaw_rad / deg;
-    }
-
     void judge() {
         const CameraMount found = final_mount();
         const auto angle = [this](const char* key, double before, double after, int i) {
             result_.values.push_back(
                 {key, "deg", before / deg, after / deg, fit_.sigma_rad[i] / deg, determined(i)});
         };
-        angle("pitch_deg", given_->pitch_rad, found.pitch_rad, 0);
-        angle("roll_deg", given_->roll_rad, found.roll_rad, 1);
-        angle("yaw_deg", given_->yaw_rad, found.yaw_rad, 2);
+        angle("pitch_deg", given_.pitch_rad, found.pitch_rad, 0);
+        angle("roll_deg", given_.roll_rad, found.roll_rad, 1);
+        angle("yaw_deg", given_.yaw_rad, found.yaw_rad, 2);
         judge_height(found);
         add_notes();
     }
 
     void judge_height(const CameraMount& found) {
-        CalibratedValue value{"height_m", "m", given_->height_m, found.height_m, 0.0, false};
+        CalibratedValue value{"height_m", "m", given_.height_m, found.height_m, 0.0, false};
         if (scale_) {
             const double relative =
                 std::hypot(scale_->sigma / scale_->ratio, travel_per_pitch(found) * fit_.sigma_rad[0]);
@@ -282,8 +214,8 @@ class Run {
 
     void compare() {
         const CameraMount used = assumed();
-        const MountAngles before(given_->pitch_rad - used.pitch_rad, given_->roll_rad - used.roll_rad,
-                                 given_->yaw_rad - used.yaw_rad);
+        const MountAngles before(given_.pitch_rad - used.pitch_rad, given_.roll_rad - used.roll_rad,
+                                 given_.yaw_rad - used.yaw_rad);
         const ResidualComparison residuals = compare_residuals(drive_.pairs, before, fit_.correction_rad);
         result_.notes.push_back("Residual of the floor: " + fixed_text(residuals.before.median_px, 3) +
                                 " px before, " + fixed_text(residuals.after.median_px, 3) + " px after");
@@ -291,7 +223,7 @@ class Run {
         std::vector<std::uint8_t> png;
         cv::imencode(".png",
                      residual_picture(drive_.first_field, residuals,
-                                      "before: pitch " + degrees_text(given_->pitch_rad) + " deg",
+                                      "before: pitch " + degrees_text(given_.pitch_rad) + " deg",
                                       "after: pitch " + degrees_text(final_mount().pitch_rad) + " deg"),
                      png);
         write_file(options_.picture, {reinterpret_cast<const char*>(png.data()), png.size()});
@@ -300,7 +232,7 @@ class Run {
     const CalibrationOptions& options_;
     Config config_;
     Progress progress_;
-    std::optional<CameraMount> given_;  ///< where the calibration started
+    CameraMount given_;  ///< where the calibration started
     CalibrationDrive drive_;
     AnglesFit fit_;
     std::optional<ScaleFit> scale_;

@@ -130,6 +130,7 @@ std::optional<ScaleFit> fit_scale(const std::vector<TravelPiece>& flow, const Po
     fit.ratio = shorth(ratios);
     for (int step = 0; step < 8; ++step) {
         std::vector<double> residuals;
+        residuals.reserve(pieces.size());
         for (const Piece& p : pieces) residuals.push_back(p.odometry_m - fit.ratio * p.flow_m);
         std::vector<double> work = residuals;
         const double deviation_m = std::max(robust_deviation(work), 1e-9);

@@ -49,8 +49,9 @@ ResidualField field_of(Cells& cells, const CameraModel& camera) {
     std::vector<double> lengths;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         if (cells[i][0].size() < cell_vectors_min) continue;
+        const std::size_t row = i / columns;
         const Vector2d at_px((static_cast<double>(i % columns) + 0.5) * camera.width_px / columns,
-                             (static_cast<double>(i / columns) + 0.5) * camera.height_px / rows);
+                             (static_cast<double>(row) + 0.5) * camera.height_px / rows);
         field.cells.push_back({at_px, {median(cells[i][0]), median(cells[i][1])}});
         lengths.push_back(field.cells.back().residual_px.norm());
     }

@@ -31,7 +31,7 @@ Outcome run(std::vector<std::string> arguments) {
 
 fs::path test_folder() {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    const fs::path folder = fs::path(::testing::TempDir()) / "flownav_calibrate_app" / test->name();
+    fs::path folder = fs::path(::testing::TempDir()) / "flownav_calibrate_app" / test->name();
     fs::remove_all(folder);
     fs::create_directories(folder);
     return folder;

@@ -23,6 +23,7 @@ std::vector<RayFlow> rays_of(const Pair& pair, const std::vector<FlowVector>& ve
     CameraModel to = pair.to.camera;
     from.mount = to.mount = assumed;
     std::vector<RayFlow> rays;
+    rays.reserve(vectors.size());
     for (const FlowVector& v : vectors)
         rays.push_back(ray_flow(v, RayMapper(from), RayMapper(to), Geometry::MidPoint));
     return rays;

@@ -1,0 +1,83 @@
+#include "calibration_start.h"
+
+#include <cmath>
+#include <optional>
+
+namespace flownav {
+namespace {
+
+constexpr double deg = M_PI / 180;
+constexpr std::uint64_t stretch_cycles = 100;
+constexpr int stretch_rounds = 3;
+constexpr double settled_deg = 0.1;
+constexpr double agreeing_min = 0.5;  // of the near vectors; below, another start may explain more
+constexpr double sigma_max_deg = 1.0;
+constexpr int scan_first_deg = 5, scan_last_deg = 65, scan_step_deg = 10;
+constexpr double height_unknown_m = 1.0;
+
+/// A hypothesis about the camera, and how well it explains a stretch of the drive.
+struct Hypothesis {
+    Config config;
+    double agreeing_vectors = 0.0;
+    double agreeing = 0.0;
+};
+
+CalibrationDrive stretch(const std::filesystem::path& input, const Config& config, std::uint64_t cycles) {
+    Progress silent(stdout, Progress::Style::Silent);
+    return collect_pairs(input, config, cycles, silent);
+}
+
+/// Moves a hypothesis to what explains the stretch best.
+Hypothesis settled(const std::filesystem::path& input, Config config) {
+    Hypothesis h{std::move(config), 0.0, 0.0};
+    for (int round = 0; round < stretch_rounds; ++round) {
+        const CalibrationDrive drive = stretch(input, h.config, stretch_cycles);
+        if (drive.pairs.empty()) return h;
+        const AnglesFit fit = fit_angles(drive.pairs, MountAngles::Zero(), {true, true, true});
+        const CameraMount mount = corrected(drive.pairs.front().reference.mount, fit.correction_rad);
+        // A motion that is nothing but rotation explains many vectors under any pose.
+        const bool means_something =
+            fit.settled && within_ranges(mount) && fit.sigma_rad[0] < sigma_max_deg * deg;
+        h.agreeing = means_something ? fit.agreeing : 0.0;
+        h.agreeing_vectors = means_something ? fit.agreeing_vectors : 0.0;
+        if (!means_something) return h;
+        set_angles(h.config, mount);
+        if (fit.correction_rad.norm() < settled_deg * deg) break;
+    }
+    return h;
+}
+
+}  // namespace
+
+CalibrationStart find_start(const std::filesystem::path& input, Config config, bool odometry) {
+    std::optional<Hypothesis> best;
+    std::optional<CameraMount> given;
+    try {
+        given = stretch(input, config, 1).first_field.camera.mount;
+        best = settled(input, config);
+        if (best->agreeing >= agreeing_min) return {best->config, *given};
+    } catch (const ConfigError&) {
+        if (config.camera.pitch_deg) throw;
+        if (odometry && !config.camera.height_m) config.camera.height_m = height_unknown_m;
+    }
+    for (int pitch_deg = scan_first_deg; pitch_deg <= scan_last_deg; pitch_deg += scan_step_deg) {
+        config.camera.pitch_deg = pitch_deg;
+        if (!given) given = stretch(input, config, 1).first_field.camera.mount;
+        const Hypothesis h = settled(input, config);
+        if (!best || h.agreeing_vectors > best->agreeing_vectors) best = h;
+    }
+    return {best->config, *given};
+}
+
+bool within_ranges(const CameraMount& m) {
+    return m.pitch_rad > -5 * deg && m.pitch_rad < 80 * deg && std::abs(m.roll_rad) < 10 * deg &&
+           std::abs(m.yaw_rad) < 10 * deg;
+}
+
+void set_angles(Config& config, const CameraMount& mount) {
+    config.camera.pitch_deg = mount.pitch_rad / deg;
+    config.camera.roll_deg = mount.roll_rad / deg;
+    config.camera.yaw_deg = mount.yaw_rad / deg;
+}
+
+}  // namespace flownav
