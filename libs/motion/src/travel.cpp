@@ -13,6 +13,7 @@ constexpr double near_share = 0.5;     // of a y + b at the lower border: the ne
 constexpr int window_support_min = 6;  // vectors of the ground window
 constexpr int floor_support_min = 12;  // vectors anywhere on the floor, when the window has too few
 constexpr int biweight_steps = 2;
+constexpr double much_better = 0.8;  // share of the deviation
 
 /// a y + b from which on the floor is near.
 double near_floor(const CameraModel& camera, const PlaneGeometry& plane) {
@@ -78,10 +79,13 @@ Travel fit_travel(const std::vector<MotionSample>& samples, const CameraModel& c
                   MotionScratch& scratch) {
     floor_travels(samples, true, camera, direction, rotation, params, scratch);
     const Travel window = robust_mean(scratch);
-    if (window.support >= window_support_min) return window;
+    const bool anchored = window.support >= window_support_min;
     floor_travels(samples, false, camera, direction, rotation, params, scratch);
     const Travel floor = robust_mean(scratch);
-    return floor.support >= floor_support_min ? floor : Travel{};
+    if (floor.support < floor_support_min) return anchored ? window : Travel{};
+    // More vectors are better where those of the window are few and poor, and only if they say the same.
+    const bool same = std::abs(floor.along_m - window.along_m) < 3.0 * window.sigma_m;
+    return anchored && !(same && floor.sigma_m < much_better * window.sigma_m) ? window : floor;
 }
 
 }  // namespace flownav

@@ -11,8 +11,8 @@ struct Travel {
     int support = 0;
 };
 
-/// Eq. (12) over the ground window, or over all of the floor when the window shows too little: shorth for a
-/// start, then biweight steps.
+/// Eq. (12) over the ground window: shorth for a start, then biweight steps. Over all of the near floor when
+/// the window shows too little, or when that says the same much more precisely.
 Travel fit_travel(const std::vector<MotionSample>& samples, const CameraModel& camera,
                   const Eigen::Vector2d& direction, const Rotation& rotation, const MotionParams& params,
                   MotionScratch& scratch);

@@ -20,6 +20,7 @@ std::vector<Variant> variants() {
         {"yaw alone", {{"motion.motion_model", "yaw"}}},
         {"pyramidal Lucas-Kanade", {{"flow.matcher", "lk"}}},
         {"brightness not compensated", {{"flow.brightness", "off"}}},
+        {"pitch learnt on the way", {{"motion.pitch_online", "true"}}},
         {"no sifting", {{"flow.confidence_min", "0"}}},
         {"no elimination", {{"obstacles.lambda_px", "20"}}},
         {"no neighbours", {{"obstacles.neighbours", "0"}}},

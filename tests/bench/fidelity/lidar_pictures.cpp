@@ -15,7 +15,6 @@ using Eigen::Vector3d;
 
 constexpr double cell_m = 0.25;
 constexpr double px_per_m = 12.0;
-constexpr int cycles_min = 2;  // what was there only once is left out
 constexpr double colour_range_m = 25.0;
 
 cv::Scalar colour_of(double range_m) {
@@ -39,13 +38,11 @@ struct Extent {
 };
 
 /// All cells as one path of squares, forward up.
-std::string path_of(const std::map<std::pair<int, int>, int>& cells, int least, const Extent& extent,
-                    const char* fill) {
+std::string path_of(const std::map<std::pair<int, int>, int>& cells, const Extent& extent, const char* fill) {
     const int edge = static_cast<int>(std::lround(cell_m * px_per_m));
     std::ostringstream out;
     out << R"(<path fill=")" << fill << R"(" d=")";
-    for (const auto& [cell, cycles] : cells) {
-        if (cycles < least) continue;
+    for (const auto& [cell, points] : cells) {
         out << 'M' << (extent.left - cell.second) * edge << ' ' << (extent.high - cell.first) * edge << 'h'
             << edge << 'v' << edge << 'h' << -edge << 'z';
     }
@@ -60,10 +57,6 @@ void LidarPlan::add(const pipeline::Step& step, const LidarView& view) {
         const Vector2d cell = (transform(step.T_start_robot, robot_m) / cell_m).array().floor();
         return Cell{static_cast<int>(cell.x()), static_cast<int>(cell.y())};
     };
-    for (const Vector2d& at_m : view.cells_m) {
-        for (const double dx : {-0.125, 0.125})
-            for (const double dy : {-0.125, 0.125}) ++lidar_[cell_of(at_m + Vector2d(dx, dy))];
-    }
     for (const ObstaclePoint& point : step.obstacles)
         ++(is_confirmed(point, view) ? right_ : wrong_)[cell_of(point.position_m.head<2>())];
     path_m_.emplace_back(step.T_start_robot.x_m, step.T_start_robot.y_m);
@@ -71,9 +64,8 @@ void LidarPlan::add(const pipeline::Step& step, const LidarView& view) {
 
 void LidarPlan::write(const std::filesystem::path& svg) const {
     Extent extent;
-    for (const auto* cells : {&lidar_, &right_, &wrong_}) {
-        for (const auto& [cell, cycles] : *cells) {
-            if (cells == &lidar_ && cycles < cycles_min) continue;
+    for (const auto* cells : {&right_, &wrong_}) {
+        for (const auto& [cell, points] : *cells) {
             extent.high = std::max(extent.high, cell.first + 1);
             extent.left = std::max(extent.left, cell.second + 1);
             extent.right = std::min(extent.right, cell.second - 1);
@@ -85,8 +77,8 @@ void LidarPlan::write(const std::filesystem::path& svg) const {
     out << R"(<svg xmlns="http://www.w3.org/2000/svg" width=")" << 2 * width << R"(" viewBox="0 0 )" << width
         << ' ' << (extent.high + 5) * edge << R"(" font-family="sans-serif" font-size="9">)" << '\n'
         << R"(<rect width="100%" height="100%" fill="white"/>)" << '\n'
-        << path_of(lidar_, cycles_min, extent, "#c8c8c8") << path_of(wrong_, 1, extent, "#d62728")
-        << path_of(right_, 1, extent, "#2ca02c") << R"(<polyline fill="none" stroke="#1f77b4" points=")";
+        << path_of(wrong_, extent, "#d62728") << path_of(right_, extent, "#2ca02c")
+        << R"(<polyline fill="none" stroke="#1f77b4" points=")";
     for (const Vector2d& at_m : path_m_) {
         out << std::lround((extent.left + 1) * edge - at_m.y() * px_per_m) << ','
             << std::lround((extent.high + 1) * edge - at_m.x() * px_per_m) << ' ';

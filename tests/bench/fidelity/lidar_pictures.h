@@ -9,7 +9,8 @@
 
 namespace flownav::fidelity {
 
-/// A plan of a whole drive in the frame of its flow odometry: what the lidar and what the sensor saw.
+/// A plan of a whole drive in the frame of its flow odometry: where the sensor saw obstacles, and where the
+/// lidar confirms them.
 class LidarPlan {
   public:
     void add(const pipeline::Step& step, const LidarView& view);
@@ -20,7 +21,7 @@ class LidarPlan {
   private:
     using Cell = std::pair<int, int>;
 
-    std::map<Cell, int> lidar_, right_, wrong_;  ///< cycles a cell was seen in
+    std::map<Cell, int> right_, wrong_;  ///< points in a cell
     std::vector<Eigen::Vector2d> path_m_;
 };
 

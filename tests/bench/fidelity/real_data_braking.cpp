@@ -126,7 +126,8 @@ std::string braking_part(const fs::path& folder, const RealDataOptions& options)
     std::string tables = text + scores_table(score) + '\n' + fates_table(score);
     if (options.plan_svg.empty()) return tables;
     return tables +
-           "\nThe plan, forward up: grey lidar, green points that it confirms, red others, blue the car's "
+           "\nThe plan, forward up: green cells with points that the lidar confirms, red others, blue the "
+           "car's "
            "way.\n\n"
            "![Plan of the drive](" +
            options.plan_svg.filename().string() + ")\n";
