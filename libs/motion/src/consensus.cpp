@@ -9,6 +9,7 @@ namespace {
 
 constexpr int columns = 8;
 constexpr int lines = 6;
+constexpr std::size_t cells = std::size_t{columns} * lines;
 constexpr int cell_votes_min = 2;
 constexpr int pairs_tried = 40;
 constexpr double continuity_bonus = 2.0;  // a rotation as predicted needs only half the support
@@ -83,8 +84,8 @@ void assign_cells(std::vector<MotionScratch::Across>& rows) {
 }
 
 Support support_of(const std::vector<MotionScratch::Across>& rows, const Turn& turn, double lambda_px) {
-    std::array<int, columns * lines> all{};
-    std::array<int, columns * lines> agreeing{};
+    std::array<int, cells> all{};
+    std::array<int, cells> agreeing{};
     Support s;
     for (const auto& row : rows) {
         const bool yes = agrees(row, turn, lambda_px);

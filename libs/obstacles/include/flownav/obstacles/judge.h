@@ -12,15 +12,15 @@ namespace flownav {
 
 /// What one vector says about the place it looks at.
 struct Judgement {
-    BlockFate fate = BlockFate::Unplaced;
-    Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< where, on the normalised plane half-way
-    double inverse_depth = 0.0;                    ///< 1/Z there, 1/m
-    double sigma = 0.0;                            ///< standard deviation of inverse_depth, 1/m
-    double excess_px = 0.0;                        ///< Eq. (13): longer than on the ground by so many pixels
+    Eigen::Vector2d at = Eigen::Vector2d::Zero();     ///< where, on the normalised plane half-way
     Eigen::Vector2d drift = Eigen::Vector2d::Zero();  ///< d of Eq. (9), an image, on the normalised plane
     double drift_sigma = 0.0;                         ///< standard deviation of drift in its worse direction
-    bool measured = false;                            ///< false: there is no vector
-    double across_px = 0.0;                           ///< Eq. (11): distance from the line through the FOE
+    double inverse_depth = 0.0;                       ///< 1/Z at `at`, 1/m
+    double sigma = 0.0;                               ///< standard deviation of inverse_depth, 1/m
+    double excess_px = 0.0;  ///< Eq. (13): longer than on the ground by so many pixels
+    double across_px = 0.0;  ///< Eq. (11): distance from the line through the FOE
+    BlockFate fate = BlockFate::Unplaced;
+    bool measured = false;  ///< false: there is no vector
 };
 
 /// Eliminates by (11) and decides by (13). `travel`: a vector without its rotation, see Derotation.

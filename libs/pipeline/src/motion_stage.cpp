@@ -1,0 +1,147 @@
+#include "motion_stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rate_control.h"
+#include "search.h"
+
+namespace flownav::pipeline {
+namespace {
+
+using Impl = State::Impl;
+
+constexpr int confident_min = 12;  // vectors; with fewer there is no texture to speak of
+constexpr int inliers_min = 10;
+constexpr double inlier_share = 0.5;        // of the confident vectors, or
+constexpr double placed_share = 0.12;       // of the blocks must agree with a motion
+constexpr double expected_share = 0.3;      // of the image's cells must agree with a motion as predicted,
+constexpr double unexpected_share = 0.5;    // and with any other
+constexpr double turn_change_radps2 = 2.0;  // of a robot, at the most
+constexpr double hold_s = 0.5;              // a prediction outlives so long whatever covers the view
+constexpr int failures_max = 2;             // in a row; then a newer reference is better
+constexpr int blind_cycle_images = 3;       // while the speed, and with it the flow to come, is unknown
+constexpr double speed_drift_per_s = 0.3;   // relative; how fast a speed that is carried over loses its worth
+
+double seconds_since_reference(const Impl& s) {
+    return s.newest.field.timestamp_s - s.reference.field.timestamp_s;
+}
+
+/// Direction of the chord of the running cycle that ends with heading `omega_rad`, from half of that: the
+/// mean heading of its images, at constant speed. A robot that begins or ends a turn does not move on a
+/// circle.
+double chord_direction(const std::vector<ImageOfCycle>& cycle, double omega_rad) {
+    double sum_rad = omega_rad / 2;
+    for (const ImageOfCycle& image : cycle) sum_rad += image.motion.omega_rad;
+    return sum_rad / static_cast<double>(cycle.size() + 1) - omega_rad / 2;
+}
+
+/// True when a measured motion can be the robot's. One that continues the last needs little support. Another
+/// may be something that moves across the view: it must fill most of it and the floor before the robot must
+/// move along, or the last motion must be long gone.
+bool credible(const Impl& s, const Measurement& m, double since_last_s) {
+    const MotionEstimate& e = m.estimate;
+    // A handful agrees by chance, unless it is most of what there is.
+    const int confident = static_cast<int>(m.samples.size());
+    const double enough = std::min(inlier_share * confident, placed_share * m.placed);
+    if (e.motion.inliers < std::max<double>(inliers_min, enough)) return false;
+    const bool prediction_worthless = !s.rates.known || s.rates.held_s + since_last_s > hold_s;
+    if (e.as_predicted && !prediction_worthless) return e.support_share >= expected_share;
+    return e.support_share >= unexpected_share && (prediction_worthless || e.motion.forward_measured);
+}
+
+/// True when a cycle has to end before its time: the view has changed so much that few of its first vectors
+/// are left, or two images could not be compared with the reference.
+bool worn_out(Impl& s) {
+    const EgoMotion& motion = s.step.motion;
+    const bool ok = s.step.status == FieldStatus::Ok;
+    s.failures = ok ? 0 : s.failures + 1;
+    if (ok && s.step.image_of_cycle == 1) s.first_inliers = motion.inliers;
+    return s.failures >= failures_max || (ok && 2 * motion.inliers < s.first_inliers);
+}
+
+}  // namespace
+
+MotionPrediction predict(const Impl& s, double since_last_s) {
+    MotionPrediction p;
+    p.omega_rad = s.rates.omega_radps * since_last_s;
+    p.forward_m = s.rates.v_mps * seconds_since_reference(s);
+    if (!s.cycle.empty()) {
+        p.omega_rad += s.cycle.back().motion.omega_rad;
+        p.pitch_rad = s.cycle.back().motion.pitch_rad;
+    }
+    p.chord_rad = chord_direction(s.cycle, p.omega_rad);
+    const double unmeasured_s = s.rates.held_s + since_last_s;
+    if (s.rates.known) p.omega_tolerance_rad = turn_change_radps2 * unmeasured_s * unmeasured_s;
+    return p;
+}
+
+bool measure_newest(Impl& s, const MotionPrediction& prediction, double since_last_s) {
+    const MeasureContext context{s.params, s.matcher};
+    measure(s.reference, s.newest, s.layout, prediction, context, s.measured);
+    if (credible(s, s.measured, since_last_s)) return true;
+    MotionPrediction found =
+        search_motion(s.reference, s.newest, s.coarse_layout, prediction, context, s.trial);
+    found.chord_rad = chord_direction(s.cycle, found.omega_rad);
+    measure(s.reference, s.newest, s.layout, found, context, s.trial);
+    s.trial.estimate.as_predicted =
+        std::abs(s.trial.estimate.motion.omega_rad - prediction.omega_rad) <= prediction.omega_tolerance_rad;
+    if (!credible(s, s.trial, since_last_s)) return false;
+    EgoMotion& trial = s.trial.estimate.motion;
+    if (!trial.forward_measured) trial.forward_m = prediction.forward_m;  // the hypothesis is no measurement
+    std::swap(s.trial, s.measured);
+    return true;
+}
+
+void accept_motion(Impl& s, bool is_credible, const MotionPrediction& prediction, double since_last_s) {
+    Step& out = s.step;
+    const bool textured = static_cast<int>(s.measured.samples.size()) >= confident_min;
+    out.status = !textured ? FieldStatus::NoTexture : is_credible ? FieldStatus::Ok : FieldStatus::Lost;
+    s.rates.known |= out.status == FieldStatus::Ok;
+    s.rates.held_s = out.status == FieldStatus::Ok ? 0.0 : s.rates.held_s + since_last_s;
+    const EgoMotion& measured = s.measured.estimate.motion;
+    out.motion = out.status == FieldStatus::Ok ? measured : unmeasured_motion(prediction);
+    s.rates.v_known |= out.motion.forward_measured;
+    if (out.motion.forward_measured) {
+        s.rates.sigma_v_relative =
+            out.motion.sigma_forward_m / std::max(std::abs(out.motion.forward_m), 1e-6);
+    } else {
+        s.rates.sigma_v_relative = std::min(1.0, s.rates.sigma_v_relative + speed_drift_per_s * since_last_s);
+        out.motion.sigma_forward_m = s.rates.sigma_v_relative * std::abs(out.motion.forward_m);
+    }
+    out.counts.inliers = measured.inliers;
+    out.counts.ground_window = measured.ground_window;
+    const Derotation derotation(PlaneGeometry(s.reference.field.camera.mount), out.motion.omega_rad,
+                                out.motion.pitch_rad, s.params.motion.geometry);
+    s.cycle.push_back({out.motion, s.measured.estimate.noise_factor, derotation});
+}
+
+void publish_motion(Impl& s, double since_last_s) {
+    Step& out = s.step;
+    const EgoMotion& before = s.last_measured.motion;
+    const double since_measured_s = out.timestamp_s - s.last_measured.timestamp_s;
+    out.omega_radps = (out.motion.omega_rad - before.omega_rad) / since_measured_s;
+    out.pitch_rate_radps = (out.motion.pitch_rad - before.pitch_rad) / since_measured_s;
+    out.v_mps = out.motion.forward_m / seconds_since_reference(s);
+    out.cycle_images =
+        s.rates.v_known ? plan_cycle(s.params.rate, out.v_mps * since_last_s) : blind_cycle_images;
+    const bool complete = out.image_of_cycle >= out.cycle_images && out.status == FieldStatus::Ok;
+    out.end_of_cycle = worn_out(s) || complete;  // an image that could not be compared is no good reference
+    out.v_measured = out.motion.forward_measured && out.end_of_cycle;
+    out.T_start_robot = compose(s.T_start_reference,
+                                along_arc(out.motion.omega_rad, out.motion.forward_m, out.motion.chord_rad));
+    s.rates.omega_radps = out.omega_radps;
+    s.rates.v_mps = out.v_mps;
+    if (out.status == FieldStatus::Ok) s.last_measured = {out.motion, out.timestamp_s};
+}
+
+void carry_over(Impl& s, double since_last_s) {
+    Step& out = s.step;
+    out.status = FieldStatus::BadField;
+    out.omega_radps = s.rates.omega_radps;
+    out.v_mps = s.rates.v_mps;
+    out.T_start_robot =
+        compose(out.T_start_robot, along_arc(out.omega_radps * since_last_s, out.v_mps * since_last_s));
+}
+
+}  // namespace flownav::pipeline

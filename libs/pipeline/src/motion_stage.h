@@ -1,0 +1,22 @@
+#pragma once
+#include "state.h"
+
+namespace flownav::pipeline {
+
+/// What the rates say of the motion from the reference to the newest field.
+MotionPrediction predict(const State::Impl& s, double since_last_s);
+
+/// Measures with the predicted motion; where that finds little support, with the best of a wide search.
+/// False when no motion is credible.
+bool measure_newest(State::Impl& s, const MotionPrediction& prediction, double since_last_s);
+
+/// Takes the measured motion, or the prediction where there is none to trust.
+void accept_motion(State::Impl& s, bool is_credible, const MotionPrediction& prediction, double since_last_s);
+
+/// Rates and odometry from the motion since the reference; whether the cycle ends.
+void publish_motion(State::Impl& s, double since_last_s);
+
+/// A field that shows nothing: the rates carry the odometry on, the reference stays.
+void carry_over(State::Impl& s, double since_last_s);
+
+}  // namespace flownav::pipeline
