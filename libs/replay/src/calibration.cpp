@@ -13,6 +13,7 @@
 #include "flownav/replay/output_file.h"
 #include "flownav/replay/pose_fit.h"
 #include "flownav/replay/residual_picture.h"
+#include "input_path.h"
 
 namespace flownav {
 namespace {
@@ -38,13 +39,8 @@ struct NotDetermined : std::runtime_error {
 };
 
 void refuse_bad_input(const std::filesystem::path& input) {
-    std::error_code error;
-    const auto status = std::filesystem::status(input, error);
-    if (status.type() == std::filesystem::file_type::not_found)
-        throw UsageError("there is no file " + input.string());
-    if (error) throw UsageError("cannot open " + input.string() + ": " + error.message());
-    if (std::filesystem::is_directory(status))
-        throw UsageError(input.string() + " is a folder, not a rawlog");
+    const std::string problem = problem_of_input(input);
+    if (!problem.empty()) throw UsageError(problem);
 }
 
 void refuse_overwriting(const CalibrationOptions& o) {

@@ -10,6 +10,7 @@
 #include "flownav/replay/number_text.h"
 #include "flownav/replay/outputs.h"
 #include "flownav/sensor/make_state.h"
+#include "input_path.h"
 
 namespace flownav {
 
@@ -72,16 +73,13 @@ class Run {
 
   private:
     void refuse_bad_paths() const {
+        const std::string problem = problem_of_input(options_.input);
+        if (!problem.empty()) throw UsageError(problem);
         std::error_code error;
-        const auto input = std::filesystem::status(options_.input, error);
-        const std::string name = options_.input.string();
-        if (input.type() == std::filesystem::file_type::not_found)
-            throw UsageError("there is no file " + name);
-        if (error) throw UsageError("cannot open " + name + ": " + error.message());
-        if (std::filesystem::is_directory(input)) throw UsageError(name + " is a folder, not a rawlog");
         const auto result = options_.output / "result.rawlog";
         if (std::filesystem::equivalent(options_.input, result, error)) {
-            throw UsageError(name + " would be overwritten by result.rawlog: choose another --output");
+            throw UsageError(options_.input.string() +
+                             " would be overwritten by result.rawlog: choose another --output");
         }
     }
 

@@ -8,6 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
+#include "app_runs.h"
 #include "flownav/sensor/config.h"
 #include "flownav/testing/write_scene.h"
 
@@ -16,25 +17,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-    int status = 0;
-    std::string out, error;
-};
+using testing::Outcome;
 
-Outcome run(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "flownav-calibrate");
-    std::ostringstream out;
-    std::ostringstream error;
-    const int status = run_calibrate_app(arguments, out, error);
-    return {status, out.str(), error.str()};
+Outcome run(const std::vector<std::string>& arguments) {
+    return testing::run_app(run_calibrate_app, "flownav-calibrate", arguments);
 }
 
 fs::path test_folder() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    fs::path folder = fs::path(::testing::TempDir()) / "flownav_calibrate_app" / test->name();
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-    return folder;
+    return testing::folder_of_test("flownav_calibrate_app");
 }
 
 /// A short drive, and where its calibration goes.

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "app_runs.h"
 #include "flownav/core/version.h"
 #include "flownav/sensor/config.h"
 
@@ -14,17 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-    int status = 0;
-    std::string out, error;
-};
+using testing::Outcome;
 
-Outcome run(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "flownav-config");
-    std::ostringstream out;
-    std::ostringstream error;
-    const int status = run_config_app(arguments, out, error);
-    return {status, out.str(), error.str()};
+Outcome run(const std::vector<std::string>& arguments) {
+    return testing::run_app(run_config_app, "flownav-config", arguments);
 }
 
 std::string content(const fs::path& file) {

@@ -10,6 +10,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
+#include "app_runs.h"
 #include "flownav/core/version.h"
 #include "flownav/replay/field_source.h"
 
@@ -18,25 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-    int status = 0;
-    std::string out, error;
-};
+using testing::Outcome;
 
-Outcome run(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "flownav-import");
-    std::ostringstream out;
-    std::ostringstream error;
-    const int status = run_import_app(arguments, out, error);
-    return {status, out.str(), error.str()};
+Outcome run(const std::vector<std::string>& arguments) {
+    return testing::run_app(run_import_app, "flownav-import", arguments);
 }
 
 fs::path test_folder() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    const fs::path folder = fs::path(::testing::TempDir()) / "flownav_import_app" / test->name();
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-    return folder;
+    return testing::folder_of_test("flownav_import_app");
 }
 
 constexpr auto camera_ini =
