@@ -19,12 +19,13 @@ constexpr int most_threads = 64;
 constexpr auto help = R"(Replays a rawlog through the optic-flow sensor.
 
 flownav-replay INPUT.rawlog --output DIR [--config FILE.ini] [--set section.key=value]...
-               [--keep-images] [--threads N] [--quiet]
+               [--video FILE.mp4] [--keep-images] [--threads N] [--quiet]
 
   INPUT.rawlog              images of one camera (and odometry, ground truth), plain or gz
   --output DIR              folder for the results; made when it is missing, old results are overwritten
   --config FILE.ini         configuration; flownav-config --doc lists every key
   --set section.key=value   sets one key, after the file; may be given several times
+  --video FILE.mp4          also make a video of the drive: annotated fields side by side with the growing map
   --keep-images             copy the fields as they were used into result.rawlog
   --threads N               threads of the block matching, 1..64, default 1; the results do not depend on it
   --quiet                   no progress and no closing line
@@ -82,6 +83,7 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
     TCLAP::ValueArg<std::string> file("", "config", "", false, "", "FILE.ini", command);
     TCLAP::MultiArg<std::string> settings("", "set", "", false, "section.key=value", command);
     TCLAP::ValueArg<int> threads("", "threads", "", false, 1, "N", command);
+    TCLAP::ValueArg<std::string> video("", "video", "", false, "", "FILE.mp4", command);
     TCLAP::SwitchArg keep_images("", "keep-images", "", command);
     TCLAP::SwitchArg quiet("", "quiet", "", command);
 
@@ -107,7 +109,8 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
     result.options.input = input.getValue();
     result.options.output = folder.getValue();
     result.options.config = configuration(file.getValue(), settings.getValue(), threads.getValue());
-    result.options.keep_images = keep_images.getValue();
+    result.options.optional.keep_images = keep_images.getValue();
+    result.options.optional.video = video.getValue();
     if (!result.quiet) result.options.progress = Progress::style_for(stdout);
     return result;
 }

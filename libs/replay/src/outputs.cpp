@@ -34,15 +34,17 @@ void write_map(const mrpt::maps::COccupancyGridMap2D& grid, const std::filesyste
 
 }  // namespace
 
-Outputs::Outputs(std::filesystem::path folder, const Config& config, bool keep_images)
+Outputs::Outputs(std::filesystem::path folder, const Config& config, const OptionalOutputs& optional)
     : folder_(prepared(std::move(folder))),
       config_(config),
-      keep_images_(keep_images),
+      keep_images_(optional.keep_images),
       trajectory_(folder_ / "trajectory.tum"),
       egomotion_(folder_ / "egomotion.csv"),
       obstacles_(folder_ / "obstacles.csv"),
       rawlog_(folder_ / "result.rawlog", config.pipeline.obstacles.range_max_m),
-      map_(config.map) {}
+      map_(config.map) {
+    if (!optional.video.empty()) video_.emplace(optional.video, config.map.size_m);
+}
 
 void Outputs::write(const Field& field, const pipeline::Step& step) {
     if (keep_images_) rawlog_.write_image(field, config_.camera.camera_label);
@@ -53,9 +55,11 @@ void Outputs::write(const Field& field, const pipeline::Step& step) {
     ++written_.trajectory_poses;
     ++written_.egomotion_rows;
     written_.obstacle_points += step.obstacles.size();
-    if (!step.end_of_cycle) return;
-    ++written_.cycles;
-    map_.insert({step.timestamp_s, step.T_start_robot, step.obstacles, step.ground});
+    if (step.end_of_cycle) {
+        ++written_.cycles;
+        map_.insert({step.timestamp_s, step.T_start_robot, step.obstacles, step.ground});
+    }
+    if (video_) video_->write(field, step, map_.grid());
 }
 
 void Outputs::finish(Drive& drive) {
@@ -63,6 +67,7 @@ void Outputs::finish(Drive& drive) {
     egomotion_.close();
     obstacles_.close();
     rawlog_.close();
+    if (video_) video_->close();
     written_.result_rawlog = rawlog_.counts();
     written_.odometry_poses = write_track(odometry_name, drive.odometry, drive);
     written_.ground_truth_poses = write_track(ground_truth_name, drive.ground_truth, drive);

@@ -151,7 +151,7 @@ class Run {
     void open_outputs() {
         if (outputs_) return;
         const Stopwatch watch(timing_.write_s);
-        outputs_.emplace(options_.output, options_.config, options_.keep_images);
+        outputs_.emplace(options_.output, options_.config, options_.optional);
         for (const PoseSample& sample : early_odometry_) outputs_->write_odometry(sample);
         early_odometry_.clear();
     }

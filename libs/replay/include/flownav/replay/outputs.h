@@ -7,17 +7,24 @@
 #include "flownav/pipeline/step.h"
 #include "flownav/replay/csv_files.h"
 #include "flownav/replay/drive.h"
+#include "flownav/replay/drive_video.h"
 #include "flownav/replay/result_rawlog.h"
 #include "flownav/replay/trajectory_file.h"
 #include "flownav/sensor/config.h"
 
 namespace flownav {
 
+/// What is written only when asked for.
+struct OptionalOutputs {
+    bool keep_images = false;     ///< copy the fields into result.rawlog too
+    std::filesystem::path video;  ///< an MP4 of the drive; empty: none
+};
+
 /// Every file of an output folder. What is known is written at once; finish() adds what needs the whole
 /// drive. Everything throws OutputError when it cannot be written.
 class Outputs {
   public:
-    Outputs(std::filesystem::path folder, const Config& config, bool keep_images);
+    Outputs(std::filesystem::path folder, const Config& config, const OptionalOutputs& optional);
 
     void write(const Field& field, const pipeline::Step& step);
     void write_odometry(const PoseSample& sample) { rawlog_.write_odometry(sample); }
@@ -40,6 +47,7 @@ class Outputs {
     ObstaclesCsv obstacles_;
     ResultRawlog rawlog_;
     DriveMap map_;
+    std::optional<DriveVideo> video_;
 };
 
 }  // namespace flownav

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "flownav/replay/outputs.h"
 #include "flownav/replay/progress.h"
 #include "flownav/sensor/config.h"
 
@@ -12,7 +13,7 @@ struct ReplayOptions {
     std::filesystem::path input;   ///< a rawlog
     std::filesystem::path output;  ///< folder, made when it is missing; what is in it is overwritten
     Config config;
-    bool keep_images = false;                            ///< copy the fields into result.rawlog too
+    OptionalOutputs optional;
     Progress::Style progress = Progress::Style::Silent;  ///< on the standard output
 };
 

@@ -1,0 +1,58 @@
+#pragma once
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "flownav/core/field.h"
+#include "flownav/pipeline/step.h"
+#include "flownav/replay/map_window.h"
+
+namespace cv {
+class VideoWriter;
+}
+
+namespace flownav {
+
+/// A video (H.264 in MP4, 25 pictures a second) of a drive: the annotated field, side by side with the map as
+/// it was known at that moment. It runs as fast as the drive did, whatever the camera's rate; of a pause in
+/// the recording one second is shown. The same drive gives the same bytes.
+class DriveVideo {
+  public:
+    static constexpr double rate_hz = 25.0;
+    static constexpr double longest_pause_s = 1.0;
+
+    /// Shows map_size_m metres of the map. Throws OutputError when `file` cannot be written.
+    DriveVideo(std::filesystem::path file, double map_size_m);
+    ~DriveVideo();
+    DriveVideo(const DriveVideo&) = delete;
+    DriveVideo& operator=(const DriveVideo&) = delete;
+
+    /// Adds the pictures that are due. Fields come with rising time stamps.
+    void write(const Field& field, const pipeline::Step& step, const mrpt::maps::COccupancyGridMap2D& map);
+
+    /// Completes the file. Throws OutputError when it did not become a whole video, as on a full disk.
+    void close();
+
+    /// Pictures written so far.
+    std::uint64_t frames() const { return frames_; }
+
+  private:
+    void remember(const pipeline::Step& step);
+    void put();
+
+    std::filesystem::path file_;
+    double map_size_m_;
+    std::unique_ptr<cv::VideoWriter> writer_;
+    MapWindowScene scene_;
+    double driven_m_ = 0.0;
+    double start_s_ = 0.0;
+    double last_s_ = 0.0;
+    double due_s_ = 0.0;
+    cv::Mat picture_;
+    std::uint64_t frames_ = 0;
+};
+
+}  // namespace flownav
