@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "flownav/replay/rawlog_reader.h"
-#include "picture_file.h"
+#include "flownav/sensor/picture_file.h"
 
 namespace flownav {
 namespace {

@@ -8,10 +8,10 @@
 #include <opencv2/core/mat.hpp>
 #include <system_error>
 
-#include "flownav/replay/field_splitter.h"
 #include "flownav/replay/output_file.h"
 #include "flownav/replay/rawlog_reader.h"
 #include "flownav/sensor/camera_conversion.h"
+#include "flownav/sensor/field_splitter.h"
 
 namespace flownav {
 namespace {

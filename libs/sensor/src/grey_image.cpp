@@ -4,7 +4,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "picture_file.h"
+#include "flownav/sensor/picture_file.h"
 
 namespace flownav {
 namespace {

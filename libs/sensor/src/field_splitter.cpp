@@ -1,4 +1,4 @@
-#include "flownav/replay/field_splitter.h"
+#include "flownav/sensor/field_splitter.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "picture_file.h"
+#include "flownav/sensor/picture_file.h"
 
 #include <fstream>
 #include <iterator>
