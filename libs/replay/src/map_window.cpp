@@ -63,7 +63,7 @@ cv::Mat background(const Grid& grid, const Projection& projection, double size_m
                            left_top.y() + (zoom - 1) / 2.0);
     cv::Mat picture;
     cv::warpAffine(cells(grid, part), picture, warp, {size_px, size_px}, cv::INTER_NEAREST,
-                   cv::BORDER_CONSTANT, cv::Scalar::all(127));
+                   cv::BORDER_CONSTANT, cv::Scalar::all(128));
     cv::cvtColor(picture, picture, cv::COLOR_GRAY2BGR);
     return picture;
 }
@@ -87,7 +87,7 @@ void draw_points(cv::Mat& picture, const Projection& projection,
 }
 
 void draw_robot(cv::Mat& picture, const Projection& projection, const Pose2& pose) {
-    const double length_m = 14.0 / projection.px_per_m;
+    const double length_m = 18.0 / projection.px_per_m;
     const auto corner = [&](double bearing_rad, double share) {
         const double direction_rad = pose.yaw_rad + bearing_rad;
         const Eigen::Vector2d offset(std::cos(direction_rad), std::sin(direction_rad));
