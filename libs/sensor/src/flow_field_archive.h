@@ -1,0 +1,24 @@
+#pragma once
+#include <mrpt/serialization/CArchive.h>
+
+#include "flownav/core/camera_model.h"
+#include "flownav/pipeline/step.h"
+
+namespace flownav {
+
+/// The stored form of CObservationFlowField, version 0. Reading throws std::runtime_error where a number
+/// cannot be true, and never allocates more than the archive delivers.
+void write_camera(mrpt::serialization::CArchive& out, const CameraModel& camera);
+CameraModel read_camera(mrpt::serialization::CArchive& in);
+void write_step(mrpt::serialization::CArchive& out, const pipeline::Step& step);
+pipeline::Step read_step(mrpt::serialization::CArchive& in);
+
+/// The number that stands for a word in files, whatever its place in the enum.
+int stored_number(FieldStatus status);
+int stored_number(BlockFate fate);
+
+/// "0 = ok, 1 = waiting, ..."
+std::string stored_statuses();
+std::string stored_fates();
+
+}  // namespace flownav
