@@ -135,6 +135,16 @@ State::~State() = default;
 State::State(State&&) noexcept = default;
 State& State::operator=(State&&) noexcept = default;
 
+State State::clone() const {
+    State copy(impl_->params, impl_->matcher);
+    *copy.impl_ = *impl_;
+    return copy;
+}
+
+const Step& State::last_step() const {
+    return impl_->step;
+}
+
 const Step& step(State& state, const Field& field) {
     Impl& s = state.impl();
     const double since_field_s = s.has_reference ? field.timestamp_s - s.step.timestamp_s : 0.0;

@@ -41,5 +41,21 @@ TEST(Determinism, AStateThatIsMovedGoesOn) {
     EXPECT_EQ(testing::fingerprint(pipeline::step(second, fields[3])), testing::fingerprint(plain[3]));
 }
 
+TEST(Determinism, ACloneGoesOnByItself) {
+    const std::vector<Field> fields = drive_among_things();
+    const auto plain = testing::run(fields, testing::cycles_of(2));
+    for (std::size_t at = 0; at < fields.size(); ++at) {
+        pipeline::State first(testing::cycles_of(2));
+        for (std::size_t i = 0; i < at; ++i) pipeline::step(first, fields[i]);
+        pipeline::State second = first.clone();
+        EXPECT_EQ(testing::fingerprint(second.last_step()), testing::fingerprint(first.last_step()));
+        pipeline::step(first, testing::grey_field(fields[at], 0, 0.0));
+        for (std::size_t i = at; i < fields.size(); ++i) {
+            EXPECT_EQ(testing::fingerprint(pipeline::step(second, fields[i])), testing::fingerprint(plain[i]))
+                << "cloned at " << at;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace flownav

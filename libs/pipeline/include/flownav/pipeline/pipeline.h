@@ -9,7 +9,7 @@
 namespace flownav::pipeline {
 
 /// Everything that outlives a field: the held fields, the block layout, the rates for the next prediction,
-/// the measurements of the running cycle, and the record of the last step. Movable, not copyable.
+/// the measurements of the running cycle, and the record of the last step. Movable; copied by clone() only.
 class State {
   public:
     explicit State(const Params& params);
@@ -17,6 +17,12 @@ class State {
     ~State();
     State(State&&) noexcept;
     State& operator=(State&&) noexcept;
+
+    /// A state that goes on from here by itself. Shares the pixels of the held fields, which nobody changes.
+    State clone() const;
+
+    /// The record of the last step.
+    const Step& last_step() const;
 
     struct Impl;
     Impl& impl() { return *impl_; }
