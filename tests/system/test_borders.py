@@ -18,12 +18,14 @@ MODULES = {
     "nav": {"mapping"},
     "sim": {"core"},
     "replay": {"pipeline", "sensor", "mapping"},
+    "producer": {"pipeline", "sensor", "replay"},  # libs/sensor/plugin
 }
-MAY_USE_MRPT = {"mapping", "sensor", "nav", "sim", "replay"}
+MAY_USE_MRPT = {"mapping", "sensor", "nav", "sim", "replay", "producer"}
 
 # Headers of others, and the linked target that brings them.
 LIBRARIES = {
     r"Eigen/": r"Eigen3::Eigen",
+    r"mrpt/hwdrivers/": r"mrpt::hwdrivers",
     r"mrpt/": r"mrpt::\w+",
     r"nanoflann\.hpp": r"nanoflann::nanoflann",
     r"nlohmann/": r"nlohmann_json::nlohmann_json",
@@ -38,7 +40,8 @@ OF_THE_SYSTEM = re.compile(r"[a-z_]+|\w+intrin\.h|unistd\.h|sys/\w+\.h")
 def links_of(cmake_text):
     """The targets a module links, from the flownav_library(...) of its CMakeLists.txt."""
     code = re.sub(r"#.*", "", cmake_text)
-    return set(re.findall(r"\b(?:\w+::\w+|opencv_\w+)", code))
+    library = re.search(r"flownav_library\(([^()]*)\)", code)[1]
+    return set(re.findall(r"\b(?:\w+::\w+|opencv_\w+)", library))
 
 
 def closure(module, links):
@@ -85,15 +88,22 @@ def faults(links, sources):
     return found
 
 
+def module_of(cmake_text):
+    """The module that a CMakeLists.txt makes with flownav_library(NAME module ...)."""
+    return re.search(r"flownav_library\(\s*NAME\s+(\w+)", cmake_text)[1]
+
+
 def read_tree(root):
     libs = root / "libs"
-    links, sources = {}, {}
-    for cmake in sorted(libs.glob("*/CMakeLists.txt")):
-        module = cmake.parent.name
+    links, folders, sources = {}, {}, {}
+    for cmake in sorted(libs.rglob("*/CMakeLists.txt")):
+        module = module_of(cmake.read_text())
         links[module] = links_of(cmake.read_text())
-        for file in sorted(cmake.parent.rglob("*")):
-            if file.suffix in (".h", ".cpp", ".inc"):
-                sources[module, str(file.relative_to(root))] = file.read_text()
+        folders[cmake.parent] = module
+    for file in sorted(libs.rglob("*")):
+        if file.suffix in (".h", ".cpp", ".inc"):
+            nearest = next(folder for folder in file.parents if folder in folders)
+            sources[folders[nearest], str(file.relative_to(root))] = file.read_text()
     return links, sources
 
 
@@ -108,6 +118,11 @@ class Borders(unittest.TestCase):
     def test_every_module_is_known_here(self):
         links, _ = read_tree(self.ROOT)
         self.assertLessEqual(set(links), set(MODULES))
+
+    def test_only_the_producer_knows_the_hardware_drivers(self):
+        links, _ = read_tree(self.ROOT)
+        users = {module for module in links if "mrpt::hwdrivers" in links[module]}
+        self.assertEqual(users, {"producer"})
 
     def test_faults_are_found(self):
         links = {"flow": {"flownav::core"}, "motion": {"flownav::core"}, "core": {"Eigen3::Eigen"}}
@@ -124,6 +139,9 @@ class Borders(unittest.TestCase):
         self.assertEqual(fault("core", "#include <opencv2/core.hpp>"), 1)
         self.assertEqual(fault("core", "#include <boost/optional.hpp>"), 1)
         self.assertEqual(len(faults({"flow": {"flownav::motion"}}, {})), 1)
+        sensor = {"sensor": {"mrpt::obs"}}
+        self.assertEqual(faults(sensor, {("sensor", "a.cpp"): "#include <mrpt/obs/CObservation.h>"}), [])
+        self.assertEqual(len(faults(sensor, {("sensor", "a.cpp"): "#include <mrpt/hwdrivers/CCameraSensor.h>"})), 1)
 
 
 if __name__ == "__main__":

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "config_value.h"
 #include "flownav/sensor/config.h"
+#include "flownav/sensor/config_value.h"
 
 namespace flownav::config {
 

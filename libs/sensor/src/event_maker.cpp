@@ -39,7 +39,25 @@ PoseSample sample_of(const CObservationRobotPose& truth) {
     return {PoseSample::Source::GroundTruth, seconds(truth), pose_map_robot.asTPose()};
 }
 
+/// "a (3), b (1)"
+std::string listed(const std::map<std::string, std::uint64_t>& counts) {
+    std::string text;
+    for (const auto& [name, count] : counts) {
+        text += (text.empty() ? "" : ", ") + name + " (" + std::to_string(count) + ')';
+    }
+    return text;
+}
+
 }  // namespace
+
+std::string why_no_field(const InputCounts& counts, const std::string& source,
+                         const std::string& camera_label) {
+    const std::string message = "no field could be used in " + source + ": ";
+    if (counts.images > 0) return message + "all images were rejected: " + listed(counts.rejected);
+    if (counts.observations.empty()) return message + "it holds no observation";
+    return message + "it has no image labelled " + camera_label + " but " + listed(counts.observations) +
+           "; set camera.camera_label";
+}
 
 std::optional<SensorEvent> EventMaker::next() {
     if (waiting_.empty()) return std::nullopt;

@@ -1,10 +1,24 @@
 #include "flownav/sensor/observations.h"
 
 #include <mrpt/core/Clock.h>
+#include <mrpt/math/TPose2D.h>
 
 #include <algorithm>
+#include <opencv2/core/mat.hpp>
+
+#include "flownav/sensor/camera_conversion.h"
 
 namespace flownav {
+namespace {
+
+mrpt::img::CImage pixels(const ImageView& view) {
+    // OpenCV has no view of constant pixels; the copy below only reads.
+    const cv::Mat source(view.height_px, view.width_px, CV_8UC1, const_cast<std::uint8_t*>(view.data),
+                         static_cast<std::size_t>(view.stride_bytes));
+    return {source.clone(), mrpt::img::SHALLOW_COPY};
+}
+
+}  // namespace
 
 mrpt::obs::CObservation2DRangeScan::Ptr scan_observation(const pipeline::Step& step, double range_max_m) {
     auto scan = mrpt::obs::CObservation2DRangeScan::Create();
@@ -51,6 +65,24 @@ mrpt::obs::CObservationOdometry::Ptr odometry_observation(const pipeline::Step& 
     odometry->hasVelocities = step.status == FieldStatus::Ok;
     if (odometry->hasVelocities) odometry->velocityLocal = {step.v_mps, 0.0, step.omega_radps};
     return odometry;
+}
+
+mrpt::obs::CObservationOdometry::Ptr odometry_observation(const PoseSample& sample) {
+    auto odometry = mrpt::obs::CObservationOdometry::Create();
+    odometry->timestamp = mrpt::Clock::fromDouble(sample.timestamp_s);
+    odometry->sensorLabel = "ODOMETRY";
+    odometry->odometry = mrpt::poses::CPose2D(mrpt::math::TPose2D(sample.pose));
+    return odometry;
+}
+
+mrpt::obs::CObservationImage::Ptr image_observation(const Field& field, const std::string& label) {
+    auto image = mrpt::obs::CObservationImage::Create();
+    image->timestamp = mrpt::Clock::fromDouble(field.timestamp_s);
+    image->sensorLabel = label;
+    image->cameraPose = camera_pose(field.camera.mount);
+    image->cameraParams = camera_params(field.camera);
+    image->image = pixels(field.image);
+    return image;
 }
 
 }  // namespace flownav

@@ -41,6 +41,10 @@ struct InputCounts {
     std::map<std::string, std::uint64_t> observations;  ///< everything read, by "class label"
 };
 
+/// Why `source` gave no field at all, for people.
+std::string why_no_field(const InputCounts& counts, const std::string& source,
+                         const std::string& camera_label);
+
 /// Turns observations into fields and poses: applies the calibration (ini over recording), converts colour
 /// to grey (also the intensity image of a CObservation3DRangeScan of the camera's label), splits woven
 /// frames, rejects what cannot be used and counts why: time_invalid, time_repeated, time_backwards,

@@ -1,10 +1,15 @@
 #pragma once
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationPointCloud.h>
 
+#include <string>
+
+#include "flownav/core/field.h"
 #include "flownav/pipeline/step.h"
+#include "flownav/sensor/event_maker.h"
 
 namespace flownav {
 
@@ -20,5 +25,12 @@ mrpt::obs::CObservationPointCloud::Ptr points_observation(const pipeline::Step& 
 /// FLOW_ODOMETRY: the integrated pose, identity at the first field, with forward speed and turn rate where
 /// this field measured its motion.
 mrpt::obs::CObservationOdometry::Ptr odometry_observation(const pipeline::Step& step);
+
+/// ODOMETRY: a copy of the robot's own, projected on the ground.
+mrpt::obs::CObservationOdometry::Ptr odometry_observation(const PoseSample& sample);
+
+/// The field as it was used: grey, one parity, with the calibration and camera pose that were used. The
+/// pixels are copied.
+mrpt::obs::CObservationImage::Ptr image_observation(const Field& field, const std::string& label);
 
 }  // namespace flownav
