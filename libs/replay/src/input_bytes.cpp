@@ -45,7 +45,10 @@ struct InputBytes::Inflater {
         if (inflateInit2(&stream, gzip_only) != Z_OK) throw std::bad_alloc();
     }
     ~Inflater() { inflateEnd(&stream); }
-    Inflater(const Inflater&) = delete;
+    Inflater(const Inflater& other) : inside_member(other.inside_member) {
+        // zlib only reads the source, but does not say so.
+        if (inflateCopy(&stream, const_cast<z_stream*>(&other.stream)) != Z_OK) throw std::bad_alloc();
+    }
     Inflater& operator=(const Inflater&) = delete;
 };
 
@@ -61,6 +64,30 @@ InputBytes::InputBytes(const std::filesystem::path& file)
 }
 
 InputBytes::~InputBytes() = default;
+
+InputBytes::Mark InputBytes::mark() const {
+    Mark mark;
+    mark.file_offset = taken_ - (filled_ - at_);
+    if (inflater_) mark.inflater = std::make_shared<const Inflater>(*inflater_);
+    return mark;
+}
+
+void InputBytes::go_to(const Mark& mark) {
+    inflater_ = mark.inflater ? std::make_unique<Inflater>(*mark.inflater) : nullptr;
+    at_ = filled_ = 0;
+    file_over_ = false;
+    taken_ = mark.file_offset;
+    stop(State::Good, "");
+    errno = 0;
+    bool sought = fseeko(file_.get(), 0, SEEK_END) == 0;
+    const off_t size = ftello(file_.get());
+    sought = sought && size >= 0 && fseeko(file_.get(), static_cast<off_t>(mark.file_offset), SEEK_SET) == 0;
+    if (sought) {
+        file_size_ = static_cast<std::uint64_t>(size);
+    } else {
+        stop(State::Corrupt, "the disk cannot be read: " + std::generic_category().message(errno));
+    }
+}
 
 void InputBytes::refill() {
     // Two bytes may be left over when a gz member's magic straddles the buffer's end.

@@ -20,6 +20,14 @@ class InputBytes {
         Corrupt,    ///< the gz stream is damaged, its checksum is wrong, or the disk cannot be read
     };
 
+    struct Inflater;
+
+    /// A place in the bytes to come back to.
+    struct Mark {
+        std::uint64_t file_offset = 0;             ///< of the first byte not yet used
+        std::shared_ptr<const Inflater> inflater;  ///< as it stood there; null for a plain file
+    };
+
     /// Throws InputError: no such file, a folder, not readable, empty.
     explicit InputBytes(const std::filesystem::path& file);
     ~InputBytes();
@@ -28,6 +36,11 @@ class InputBytes {
 
     /// Up to `count` bytes; fewer only when state() is no longer Good.
     std::size_t read(std::uint8_t* target, std::size_t count);
+
+    Mark mark() const;
+
+    /// Goes on from where a reader of the same file was. What the file has gained since is read as well.
+    void go_to(const Mark& mark);
 
     State state() const { return state_; }
     const std::string& problem() const { return problem_; }  ///< why it is Truncated or Corrupt
@@ -40,7 +53,6 @@ class InputBytes {
     double progress() const;
 
   private:
-    struct Inflater;
     struct Closer {
         void operator()(std::FILE* f) const { std::fclose(f); }
     };

@@ -88,6 +88,17 @@ CSerializable::Ptr ObjectReader::next() {
     return object;
 }
 
+ObjectReader::Mark ObjectReader::mark() const {
+    return {stream_.mark(end_.kind != ReadEnd::Kind::NotYet), end_.objects_read};
+}
+
+void ObjectReader::go_to(const Mark& mark) {
+    stream_.go_to(mark.stream);
+    end_ = ReadEnd{};
+    end_.objects_read = mark.objects_read;
+    end_.byte_offset = mark.stream.byte_offset;
+}
+
 CSerializable::Ptr ObjectReader::read_object() {
     if (!begin_object()) return nullptr;
     try {

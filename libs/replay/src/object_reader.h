@@ -14,11 +14,21 @@ namespace flownav {
 /// Reads the top-level objects of a rawlog one by one and says how and where that ended.
 class ObjectReader {
   public:
+    /// A place between two objects to come back to.
+    struct Mark {
+        ObjectStream::Mark stream;
+        std::uint64_t objects_read = 0;
+    };
+
     /// Throws InputError: cannot be opened, or does not begin with an object of a rawlog.
     explicit ObjectReader(const std::filesystem::path& file);
 
     /// The next object, or null at the end; then end() tells why.
     mrpt::serialization::CSerializable::Ptr next();
+
+    /// Where the next object begins; at the end, where the one that could not be read begins.
+    Mark mark() const;
+    void go_to(const Mark& mark);
 
     const ReadEnd& end() const { return end_; }
     double progress() const { return bytes_.progress(); }

@@ -39,6 +39,20 @@ void ObjectStream::settle_doubts() {
     for (const Doubt& doubt : doubts_) settled_.insert(doubt.byte_offset);
 }
 
+ObjectStream::Mark ObjectStream::mark(bool again) const {
+    const std::size_t from = again ? 0 : at_;
+    const auto begin = object_.begin() + static_cast<std::ptrdiff_t>(from);
+    return {bytes_.mark(), {begin, object_.end()}, object_offset_ + from};
+}
+
+void ObjectStream::go_to(const Mark& mark) {
+    bytes_.go_to(mark.bytes);
+    object_ = mark.ahead;
+    object_offset_ = mark.byte_offset;
+    settled_.clear();
+    rewind(first_stand_in);
+}
+
 std::size_t ObjectStream::make_available(std::size_t count) {
     // Grown in steps: a bogus count must not allocate more than the file delivers.
     while (object_.size() - at_ < count) {

@@ -24,6 +24,13 @@ class ObjectStream : public mrpt::io::CStream {
         std::uint64_t byte_offset = 0;
     };
 
+    /// A place between two objects to come back to.
+    struct Mark {
+        InputBytes::Mark bytes;
+        std::vector<std::uint8_t> ahead;  ///< what was read beyond the place
+        std::uint64_t byte_offset = 0;
+    };
+
     explicit ObjectStream(InputBytes& bytes) : bytes_(bytes) {}
 
     /// Forgets the bytes of the object before; the next one begins here.
@@ -33,6 +40,10 @@ class ObjectStream : public mrpt::io::CStream {
     void rewind(std::uint32_t stand_in);
 
     void settle_doubts();
+
+    /// Behind the object read last or, when `again`, before it.
+    Mark mark(bool again) const;
+    void go_to(const Mark& mark);
 
     /// The bytes ahead without consuming them; fewer at the end of the file.
     std::vector<std::uint8_t> peek(std::size_t count);

@@ -7,6 +7,7 @@
 #include <deque>
 
 #include "action_odometry.h"
+#include "flownav/sensor/flow_field_observation.h"
 #include "object_reader.h"
 
 namespace flownav {
@@ -25,7 +26,23 @@ std::filesystem::path find_images_directory(const std::filesystem::path& file) {
 
 }  // namespace
 
-struct RawlogReader::Impl {
+namespace {
+
+/// What was unpacked but not yet handed out, and what later objects depend on.
+struct Unpacked {
+    std::deque<mrpt::obs::CObservation::Ptr> waiting;
+    ActionOdometry actions;
+    bool odometry_observed = false;
+};
+
+}  // namespace
+
+struct RawlogReader::Mark {
+    ObjectReader::Mark objects;
+    Unpacked unpacked;
+};
+
+struct RawlogReader::Impl : Unpacked {
     explicit Impl(const std::filesystem::path& file) : objects(file), images(find_images_directory(file)) {}
 
     void unpack(const mrpt::serialization::CSerializable::Ptr& object);
@@ -33,9 +50,6 @@ struct RawlogReader::Impl {
 
     ObjectReader objects;
     std::filesystem::path images;
-    std::deque<mrpt::obs::CObservation::Ptr> waiting;
-    ActionOdometry actions;
-    bool odometry_observed = false;
 };
 
 void RawlogReader::Impl::unpack(const mrpt::serialization::CSerializable::Ptr& object) {
@@ -60,6 +74,7 @@ void RawlogReader::Impl::unpack(const mrpt::obs::CSensoryFrame& frame) {
 RawlogReader::RawlogReader(const std::filesystem::path& file) {
     mrpt::obs::registerAllClasses_mrpt_obs();
     mrpt::maps::registerAllClasses_mrpt_maps();
+    mrpt::rtti::registerClass(CLASS_ID(CObservationFlowField));
     impl_ = std::make_unique<Impl>(file);
 }
 
@@ -78,6 +93,15 @@ mrpt::obs::CObservation::Ptr RawlogReader::next() {
 
 const ReadEnd& RawlogReader::end() const {
     return impl_->objects.end();
+}
+
+std::shared_ptr<const RawlogReader::Mark> RawlogReader::mark() const {
+    return std::make_shared<const Mark>(Mark{impl_->objects.mark(), *impl_});
+}
+
+void RawlogReader::go_to(const Mark& mark) {
+    impl_->objects.go_to(mark.objects);
+    static_cast<Unpacked&>(*impl_) = mark.unpacked;
 }
 
 double RawlogReader::progress() const {

@@ -47,6 +47,17 @@ class RawlogReader {
 
     const ReadEnd& end() const;
 
+    /// A place between two observations; about 50 kB for a gz file. Never changes: readers of the same file
+    /// in several threads may share it.
+    struct Mark;
+
+    /// Where the next observation begins. After the end: where the object begins that could not be read.
+    std::shared_ptr<const Mark> mark() const;
+
+    /// Goes back, or ahead, to where a reader of the same file was. What the file has gained since is read as
+    /// well, so that a reader at the end of a growing file can try again.
+    void go_to(const Mark& mark);
+
     /// Share of the file's bytes consumed, 0..1.
     double progress() const;
 
