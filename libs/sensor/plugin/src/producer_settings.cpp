@@ -100,11 +100,11 @@ std::string only_section(const CConfigFileBase& ini, const std::string& file) {
 }  // namespace
 
 ProducerSettings read_producer_settings(const CConfigFileBase& ini, const std::string& section) {
-    if (!ini.sectionExists(section)) throw ConfigError("there is no section [" + section + "]");
+    if (!ini.sectionExists(section)) throw ConfigError("there is no section " + section);
     try {
         return read(ini, section);
     } catch (const ConfigError& error) {
-        throw ConfigError("[" + section + "] " + error.what());
+        throw ConfigError("section " + section + ": " + error.what());
     }
 }
 
