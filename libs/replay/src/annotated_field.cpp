@@ -76,11 +76,15 @@ class Caption {
 
 }  // namespace
 
-cv::Mat annotated_field(const Field& field, const pipeline::Step& step) {
-    const FieldScale scale = picture_scale(field);
+cv::Mat marked_field(const Field& field, const pipeline::Step& step, const FieldScale& scale) {
     cv::Mat picture = scaled_field(field, scale);
     for (const FateStyle& style : fate_styles()) tint_blocks(picture, step, scale, style);
     for (const FateStyle& style : fate_styles()) draw_vectors(picture, step, scale, style);
+    return picture;
+}
+
+cv::Mat annotated_field(const Field& field, const pipeline::Step& step) {
+    const cv::Mat picture = marked_field(field, step, picture_scale(field));
     Caption caption(picture.cols);
     caption.add(state_text(step));
     caption.new_line();

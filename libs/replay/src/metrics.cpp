@@ -142,6 +142,12 @@ class Comparison {
 
 }  // namespace
 
+FateCounts fates_of(const pipeline::Step& step) {
+    FateCounts counts{};
+    for (const pipeline::BlockRecord& block : step.blocks) ++counts.at(static_cast<std::size_t>(block.fate));
+    return counts;
+}
+
 FieldRow row_of(const pipeline::Step& step) {
     FieldRow row;
     row.timestamp_s = step.timestamp_s;
@@ -154,8 +160,10 @@ FieldRow row_of(const pipeline::Step& step) {
     row.placed = step.counts.placed;
     row.confident = step.counts.confident;
     row.inliers = step.counts.inliers;
+    row.ground_window = step.counts.ground_window;
     row.obstacles = static_cast<int>(step.obstacles.size());
     row.end_of_cycle = step.end_of_cycle;
+    row.fates = fates_of(step);
     return row;
 }
 

@@ -73,7 +73,7 @@ void Outputs::finish(Drive& drive) {
     written_.ground_truth_poses = write_track(ground_truth_name, drive.ground_truth, drive);
     write_map(map_.grid(), folder_);
     drive.written = written_;
-    write_file(folder_ / "report.html", report_html(drive, map_.grid()));
+    write_file(folder_ / "report.html", report_html(drive, map_.grid(), config_));
 }
 
 void Outputs::write_summary(const Drive& drive, const Timing& timing) {

@@ -125,9 +125,8 @@ class Run {
         const pipeline::Step& step = stepped(field);
         drive_.rows.push_back(row_of(step));
         checker_.take(field, step);
-        drive_.any_fields.offer(field, step);
-        if (step.end_of_cycle) drive_.cycle_ends.offer(field, step);
         const Stopwatch watch(timing_.write_s);
+        drive_.filmstrip.offer(field, step);
         outputs_->write(field, step);
     }
 

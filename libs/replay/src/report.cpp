@@ -1,221 +1,146 @@
 #include "flownav/replay/report.h"
 
-#include <mrpt/system/string_utils.h>
+#include <cmath>
 
-#include <opencv2/imgcodecs.hpp>
-#include <vector>
-
+#include "data_uri.h"
 #include "flownav/core/version.h"
-#include "flownav/replay/annotated_field.h"
-#include "flownav/replay/curves.h"
-#include "flownav/replay/map_picture.h"
+#include "flownav/replay/fate_style.h"
 #include "flownav/replay/number_text.h"
-#include "report_style.h"
+#include "html.h"
+#include "report_assets.h"
+#include "report_data.h"
+#include "report_series.h"
+#include "report_tables.h"
 
 namespace flownav {
 
 namespace {
 
-constexpr std::size_t pictures = 6;
-constexpr int jpeg_quality = 82;
-
-std::string section(const std::string& title, const std::string& content) {
-    return "<section>\n<h2>" + html_text(title) + "</h2>\n" + content + "</section>\n";
-}
-
-std::string paragraph(const std::string& text) {
-    return "<p>" + html_text(text) + "</p>\n";
-}
-
-/// A cell of a table; numbers stand to the right.
-struct Cell {
-    std::string text;
-    bool number = false;
-    const char* mark = nullptr;  ///< colour of a small square before the text
-};
-
-std::string row(const std::vector<Cell>& cells, const std::string& element = "td") {
-    std::string html = "<tr>";
-    for (const Cell& cell : cells) {
-        html += "<" + element + (cell.number ? " class='number'>" : ">");
-        if (cell.mark != nullptr) html += std::string("<i style='background:") + cell.mark + "'></i>";
-        html += html_text(cell.text) + "</" + element + ">";
-    }
-    return html + "</tr>\n";
-}
-
-std::string table(const std::vector<Cell>& head, const std::string& rows) {
-    return "<div class='wide'><table>\n<thead>" + row(head, "th") + "</thead>\n<tbody>\n" + rows +
-           "</tbody></table></div>\n";
-}
-
-Cell number(std::uint64_t count) {
-    return {std::to_string(count), true, nullptr};
-}
-
-std::string image(const cv::Mat& picture, const char* format, const std::vector<int>& options,
-                  const std::string& description) {
-    std::vector<std::uint8_t> bytes;
-    cv::imencode(std::string(".") + format, picture, bytes, options);
-    std::string text;
-    mrpt::system::encodeBase64(bytes, text);
-    return "<img alt='" + html_text(description) + "' src='data:image/" +
-           (std::string(format) == "jpg" ? "jpeg" : format) + ";base64," + text + "'>\n";
-}
-
-// ---- what was read, and how it ended
-
-std::string ending(const Drive& drive) {
-    const bool clean = std::string(end_word(drive)) == "clean";
-    return std::string("<p class='") + (clean ? "good" : "bad") + "'>" + html_text(end_sentence(drive)) +
-           "</p>\n";
-}
-
-std::string camera_warnings(const CameraCheck& check) {
-    std::string html;
-    for (const std::string& warning : check.warnings)
-        html += "<p class='bad'>" + html_text(warning) + "</p>\n";
-    return html;
+std::string box(bool good, const std::string& text) {
+    return std::string("<p class='") + (good ? "good" : "bad") + "'>" + html::escaped(text) + "</p>\n";
 }
 
 std::string short_facts(const Drive& drive) {
-    if (drive.rows.empty()) return paragraph("No field could be used, so there is nothing to show.");
+    if (drive.rows.empty()) return html::paragraph("No field could be used, so there is nothing to show.");
     const double duration_s = drive.rows.back().timestamp_s - drive.rows.front().timestamp_s;
     const std::uint64_t ok = status_counts(drive.rows).front();
     const double ok_percent = 100.0 * static_cast<double>(ok) / static_cast<double>(drive.rows.size());
-    return paragraph(std::to_string(drive.rows.size()) + " fields over " + fixed_text(duration_s, 2) +
-                     " s; the motion was measured in " + fixed_text(ok_percent, 1) + " % of them. " +
-                     std::to_string(drive.written.cycles) + " finished cycles gave " +
-                     std::to_string(drive.written.obstacle_points) + " obstacle points.");
+    return html::paragraph(std::to_string(drive.rows.size()) + " fields over " + fixed_text(duration_s, 2) +
+                           " s; the motion was measured in " + fixed_text(ok_percent, 1) + " % of them. " +
+                           std::to_string(drive.written.cycles) + " finished cycles gave " +
+                           std::to_string(drive.written.obstacle_points) + " obstacle points.");
 }
 
-// ---- figures
-
-Cell figure_cell(const Errors& errors, const Figure& figure) {
-    const auto& value = errors.*figure.value;
-    return {value ? fixed_text(*value, 3) : "-", true, nullptr};
+std::string beginning(const Drive& drive) {
+    const std::string title = html::escaped("Replay of " + drive.input_name);
+    std::string html =
+        "<!DOCTYPE html>\n<html lang='en'>\n<head>\n<meta charset='utf-8'>\n"
+        "<meta name='viewport' content='width=device-width, initial-scale=1'>\n"
+        "<link rel='icon' href='data:,'>\n<title>" +
+        title + "</title>\n<style>\n" + dygraphs_style + report_style + "</style>\n</head>\n<body>\n<h1>" +
+        title + "</h1>\n";
+    html += box(std::string(end_word(drive)) == "clean", end_sentence(drive));
+    for (const std::string& warning : drive.camera_check.warnings) html += box(false, warning);
+    return html + short_facts(drive);
 }
 
-std::string figures(const Drive& drive) {
-    if (!drive.ground_truth_errors && !drive.odometry_errors) {
-        return paragraph(
-            "The recording has neither odometry nor ground truth to compare the flow odometry with.");
-    }
-    std::vector<Cell> head = {{"figure"}};
-    if (drive.ground_truth_errors) head.push_back({"ground truth", true, nullptr});
-    if (drive.odometry_errors) head.push_back({"odometry", true, nullptr});
-    head.insert(head.end(), {{"unit"}, {"flow odometry compared with these, meaning"}});
-    std::string rows;
-    for (const Figure& figure : error_figures()) {
-        std::vector<Cell> cells = {{figure.name}};
-        if (drive.ground_truth_errors) cells.push_back(figure_cell(*drive.ground_truth_errors, figure));
-        if (drive.odometry_errors) cells.push_back(figure_cell(*drive.odometry_errors, figure));
-        cells.insert(cells.end(), {{figure.unit}, {figure.meaning}});
-        rows += row(cells);
-    }
-    return table(head, rows) + paragraph(
-                                   "A dash stands for a figure that could not be computed. Poses of the "
-                                   "other track are interpolated at the "
-                                   "times of the fields; the first " +
-                                   std::to_string(Errors::settling_fields) +
-                                   " fields, in which the sensor finds its first prediction, are left out of "
-                                   "the figures of turn rate and speed.");
-}
-
-// ---- status and counts
-
-std::string statuses(const Drive& drive) {
-    const auto counts = status_counts(drive.rows);
-    std::string rows;
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        const FieldStatus status = all_field_statuses.at(i);
-        rows += row({{to_string(status), false, colour_of(status)}, number(counts[i]), {explain(status)}});
-    }
-    return table({{"status"}, {"fields", true, nullptr}, {"meaning"}}, rows);
-}
-
-std::string read_and_rejected(const Drive& drive) {
-    const InputCounts& read = drive.read;
-    std::string rows;
-    rows += row({{"objects in the file"}, number(read.objects), {"read"}});
-    rows += row({{"images of the camera"}, number(read.images), {"read"}});
-    rows += row({{"fields"}, number(read.fields), {"used; a woven frame makes two"}});
-    rows += row({{"odometry"}, number(read.odometry), {"used for comparison only"}});
-    rows += row({{"ground truth"}, number(read.ground_truth), {"used for comparison only"}});
-    rows += row({{"other observations"}, number(read.ignored), {"ignored: other labels or classes"}});
-    for (const auto& [reason, count] : read.rejected) {
-        rows += row({{reason}, number(count), {"rejected for this reason"}});
-    }
-    for (const auto& [warning, count] : read.warnings) {
-        rows += row({{warning}, number(count), {"noticed, used all the same"}});
-    }
-    const std::string none = read.rejected.empty() ? paragraph("Nothing was rejected.") : "";
-    return table({{"what"}, {"count", true, nullptr}, {"what became of it"}}, rows) + none;
-}
-
-// ---- pictures
-
-std::string picture_caption(const Drive& drive, const pipeline::Step& step) {
-    return "t = " + fixed_text(step.timestamp_s - drive.rows.front().timestamp_s, 2) +
-           " s: " + to_string(step.status) + ", " + std::to_string(step.obstacles.size()) +
-           " obstacle points";
-}
-
-std::string annotated(const Drive& drive) {
-    auto chosen = drive.cycle_ends.spread(pictures);
-    if (chosen.size() < pictures) chosen = drive.any_fields.spread(pictures);
-    if (chosen.empty()) return paragraph("There is no field to show.");
-    std::string html = paragraph(
-                           "Arrows are the measured vectors of the cycle, from the reference field to this "
-                           "one, ending where "
-                           "the block is now. Fields with half the lines are shown at their true height.") +
-                       "<div class='pictures'>\n";
-    for (const auto* picture : chosen) {
-        const std::string caption = picture_caption(drive, picture->step);
-        html += "<figure>" +
-                image(annotated_field(picture->field, picture->step), "jpg",
-                      {cv::IMWRITE_JPEG_QUALITY, jpeg_quality}, caption) +
-                "<figcaption>" + html_text(caption) + "</figcaption></figure>\n";
+/// The pictures, which the script makes to follow the cursor.
+std::string strip(const Drive& drive) {
+    std::string html = "<div id='strip' tabindex='0'>\n";
+    for (const Filmstrip::Picture& picture : drive.filmstrip.pictures()) {
+        const std::string time_s = fixed_text(picture.timestamp_s - drive.rows.front().timestamp_s, 2);
+        html += "<figure><img alt='annotated field at " + time_s + " s' src='" +
+                data_uri("image/jpeg", picture.jpeg) + "'><figcaption>" + time_s +
+                " s</figcaption></figure>\n";
     }
     return html + "</div>\n";
 }
 
-std::string map_section(const Drive& drive, const mrpt::maps::COccupancyGridMap2D& map) {
-    const cv::Mat picture = map_picture(map, drive.rows);
-    if (picture.empty()) return paragraph("Nothing was mapped.");
-    return paragraph(
-               "White is floor seen to be free, black is occupied, grey is unknown. x points right and y up, "
-               "as "
-               "in the trajectory. Blue: the path driven, from the green to the orange dot.") +
-           image(picture, "png", {cv::IMWRITE_PNG_COMPRESSION, 9}, "map of the drive");
+const char* meaning_of(BlockFate fate) {
+    switch (fate) {
+        case BlockFate::Unplaced:
+            return "";
+        case BlockFate::Sifted:
+            return "the match is ambiguous: left out";
+        case BlockFate::Eliminated:
+            return "does not point away from where the robot drives to: left out";
+        case BlockFate::Ground:
+            return "moves like the floor";
+        case BlockFate::Obstacle:
+            return "nearer than the floor behind it, and a neighbour agrees";
+        case BlockFate::Moving:
+            return "belongs to something that moves by itself";
+        case BlockFate::Unsupported:
+            return "looks like an obstacle, but no neighbour agrees: left out";
+        case BlockFate::Unjudged:
+            return "fits the motion, but too far or too vague to be told from floor";
+    }
+    return "";
 }
 
+std::string fates_legend() {
+    std::string rows;
+    for (auto style = fate_styles().rbegin(); style != fate_styles().rend(); ++style) {
+        html::Cell name(style->label);
+        name.mark = css_colour(*style);
+        rows += html::row({name, {"", true}, {meaning_of(style->fate)}}, std::string("fate.") + style->label);
+    }
+    return html::table({{"block"}, {"here", true}, {"meaning"}}, rows);
+}
+
+std::string panel(const Drive& drive) {
+    return "<aside id='panel'>\n<p id='readout'></p>\n<img id='large' alt=''>\n"
+           "<p class='help'>Point at any chart, at the way or at the map: all show that moment. A click pins "
+           "it, "
+           "a second click or Esc frees it. Arrow keys step from picture to picture, with Shift from field "
+           "to "
+           "field. Drag in a chart over time to zoom, double-click to see all again.</p>\n" +
+           strip(drive) + fates_legend() +
+           "<p class='help'>Arrows are the vectors of the running cycle, from its first field to this one; "
+           "they "
+           "end where the block is now. Fields of half the lines are shown at their true "
+           "height.</p>\n</aside>\n";
+}
+
+/// Places that the script fills.
 std::string curves(const Drive& drive) {
-    std::string html;
-    for (const Chart& chart : charts_of(drive)) html += "<figure>" + svg_chart(chart) + "</figure>\n";
-    return html + "<figure>" + status_band(drive.rows) + "</figure>\n";
+    std::string html =
+        "<div id='curves'>\n<section>\n<h2>Way and map</h2>\n"
+        "<figure class='plan'><canvas id='way'></canvas><figcaption>The way seen from above. Circle: "
+        "start; square: end; the arrow head is the robot at the moment shown.</figcaption></figure>\n"
+        "<figure class='plan'><canvas id='map'></canvas><figcaption>Map of the drive. White: floor "
+        "seen to be free; black: occupied; grey: not known. Orange dots: obstacle points of the "
+        "picture shown.</figcaption></figure>\n</section>\n"
+        "<section>\n<h2>Over time</h2>\n<div id='charts'></div>\n</section>\n"
+        "<section id='timing'>\n<h2>Time per stage</h2>\n<div id='times'></div>\n<p class='help'>";
+    html +=
+        "How long the computer took differs from run to run, and this page does not: it holds times only "
+        "when flownav-replay was asked for them with --timing. Otherwise choose the summary.json that lies "
+        "beside this page, or drop it here: <input type='file' id='summary' accept='.json'></p>\n"
+        "</section>\n</div>\n";
+    return drive.rows.empty() ? "" : html;
 }
 
 }  // namespace
 
-std::string report_html(const Drive& drive, const mrpt::maps::COccupancyGridMap2D& map) {
-    const std::string title = "Replay of " + drive.input_name;
-    std::string html =
-        "<!DOCTYPE html>\n<html lang='en'>\n<head>\n<meta charset='utf-8'>\n"
-        "<meta name='viewport' content='width=device-width, initial-scale=1'>\n<title>" +
-        html_text(title) + "</title>\n<style>\n" + report_style + "</style>\n</head>\n<body>\n";
-    html += "<h1>" + html_text(title) + "</h1>\n" + ending(drive) + camera_warnings(drive.camera_check) +
-            short_facts(drive);
-    html += section("Flow odometry compared", figures(drive));
+std::string report_html(const Drive& drive, const mrpt::maps::COccupancyGridMap2D& map, const Config& config,
+                        const std::string& timing) {
+    std::string html = beginning(drive);
     if (!drive.rows.empty()) {
-        html += section("Curves", curves(drive));
-        html += section("Map", map_section(drive, map));
-        html += section("Annotated fields", annotated(drive));
+        html +=
+            "<noscript><p class='bad'>The charts need JavaScript, which is switched off here; pictures and "
+            "tables show without.</p></noscript>\n<main>\n" +
+            curves(drive) + panel(drive) + "</main>\n";
     }
-    html += section("Status of the fields", statuses(drive));
-    html += section("What was read and rejected", read_and_rejected(drive));
-    return html + "<footer>flownav-replay " + html_text(version()) +
-           ". Configuration and timing: summary.json beside this file.</footer>\n</body>\n</html>\n";
+    html += report_tables(drive, config);
+    html += "<footer>flownav-replay " + html::escaped(version()) +
+            ". Every file and figure: share/doc/outputs.md of flownav.</footer>\n";
+    if (!drive.rows.empty()) {
+        html += "<script type='application/json' id='data'>" + report_data(drive, map, timing) +
+                "</script>\n<script>" + dygraphs_script + "</script>\n<script>" + report_script +
+                "</script>\n";
+    }
+    return html + "</body>\n</html>\n";
 }
 
 }  // namespace flownav

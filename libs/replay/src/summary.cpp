@@ -4,9 +4,9 @@
 
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "flownav/core/version.h"
+#include "summary_facts.h"
 
 namespace flownav {
 
@@ -118,7 +118,7 @@ Json timing_part(const Timing& timing, std::size_t fields) {
 
 }  // namespace
 
-std::string summary_json(const Drive& drive, const Config& config, const Timing& timing) {
+Json summary_facts(const Drive& drive, const Config& config) {
     Json summary;
     summary["program"] = "flownav-replay";
     summary["version"] = version();
@@ -133,6 +133,15 @@ std::string summary_json(const Drive& drive, const Config& config, const Timing&
                          {"odometry", errors_part(drive.odometry_errors)}};
     summary["camera_check"] = camera_check_part(drive.camera_check);
     summary["config"] = config_part(config);
+    return summary;
+}
+
+std::string timing_json(const Timing& timing, std::size_t fields) {
+    return timing_part(timing, fields).dump();
+}
+
+std::string summary_json(const Drive& drive, const Config& config, const Timing& timing) {
+    Json summary = summary_facts(drive, config);
     summary["timing"] = timing_part(timing, drive.rows.size());
     // A file's name may hold bytes that are no UTF-8: they are replaced, the file is written all the same.
     return summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';

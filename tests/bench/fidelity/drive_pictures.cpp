@@ -1,6 +1,6 @@
 #include "drive_pictures.h"
 
-#include "flownav/replay/svg_chart.h"
+#include "svg_chart.h"
 
 namespace flownav::fidelity {
 namespace {

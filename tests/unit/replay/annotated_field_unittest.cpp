@@ -48,29 +48,5 @@ TEST(AnnotatedField, VectorsBesideThePictureDoNoHarm) {
     EXPECT_FALSE(annotated_field(pal_field(4), step).empty());
 }
 
-TEST(Gallery, KeepsFewStepsSpreadOverTheDrive) {
-    Gallery gallery;
-    EXPECT_TRUE(gallery.spread(6).empty());
-    for (int i = 0; i < 1000; ++i) {
-        pipeline::Step step;
-        step.timestamp_s = i;
-        gallery.offer({}, step);
-    }
-    const auto chosen = gallery.spread(6);
-    ASSERT_EQ(chosen.size(), 6U);
-    EXPECT_EQ(chosen.front()->step.timestamp_s, 0.0);
-    EXPECT_GT(chosen.back()->step.timestamp_s, 850.0);
-    for (std::size_t i = 1; i < chosen.size(); ++i) {
-        EXPECT_NEAR(chosen[i]->step.timestamp_s - chosen[i - 1]->step.timestamp_s, 190.0, 70.0);
-    }
-}
-
-TEST(Gallery, GivesWhatItHasWhenThereIsLess) {
-    Gallery gallery;
-    for (int i = 0; i < 3; ++i) gallery.offer({}, {});
-    EXPECT_EQ(gallery.spread(6).size(), 3U);
-    EXPECT_EQ(gallery.spread(1).size(), 1U);
-}
-
 }  // namespace
 }  // namespace flownav

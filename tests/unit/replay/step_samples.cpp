@@ -78,8 +78,7 @@ Drive sample_drive(int fields) {
         const pipeline::Step step = step_at(i);
         const Pose2& pose = step.T_start_robot;
         drive.rows.push_back(row_of(step));
-        drive.any_fields.offer(pal_field(i), step);
-        if (step.end_of_cycle) drive.cycle_ends.offer(pal_field(i), step);
+        drive.filmstrip.offer(pal_field(i), step);
         drive.odometry.add(step.timestamp_s, {pose.x_m, pose.y_m, 0, pose.yaw_rad, 0, 0});
         drive.ground_truth.add(step.timestamp_s, {pose.x_m, pose.y_m, 0, pose.yaw_rad, 0, 0});
     }

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "flownav/replay/annotated_field.h"
 #include "flownav/replay/camera_check.h"
 #include "flownav/replay/field_row.h"
 #include "flownav/replay/field_source.h"
+#include "flownav/replay/filmstrip.h"
 #include "flownav/replay/metrics.h"
 #include "flownav/replay/pose_track.h"
 #include "flownav/replay/rawlog_reader.h"
@@ -49,8 +49,7 @@ struct Drive {
     std::optional<Errors> odometry_errors;      ///< empty when the rawlog has no odometry
     std::optional<Errors> ground_truth_errors;  ///< empty when the rawlog has no ground truth
     CameraCheck camera_check;
-    Gallery cycle_ends;  ///< pictures of finished cycles
-    Gallery any_fields;  ///< pictures of all fields, for drives without finished cycles
+    Filmstrip filmstrip;  ///< pictures of the fields
 };
 
 /// How the input ended, in one word, as summary.json has it.

@@ -1,9 +1,15 @@
 #pragma once
+#include <array>
+#include <cstdint>
+
 #include "flownav/core/field_status.h"
 #include "flownav/core/pose2.h"
 #include "flownav/pipeline/step.h"
 
 namespace flownav {
+
+/// How many blocks have each fate, in the order of BlockFate.
+using FateCounts = std::array<std::uint16_t, 8>;
 
 /// The little of a step that the metrics and the report still need after the drive.
 struct FieldRow {
@@ -17,9 +23,14 @@ struct FieldRow {
     int placed = 0;
     int confident = 0;
     int inliers = 0;
+    int ground_window = 0;
     int obstacles = 0;
     bool end_of_cycle = false;
+    FateCounts fates{};
 };
+
+/// Of the blocks that have a vector, or an ambiguous one, in the running cycle.
+FateCounts fates_of(const pipeline::Step& step);
 
 FieldRow row_of(const pipeline::Step& step);
 

@@ -8,9 +8,16 @@
 
 namespace flownav {
 
-/// A picture for people (8-bit BGR) of the known part of a map, x to the right and y up, with the path
-/// driven, its start, its end and a scale bar. White is free, black is occupied, grey unknown. Empty when
-/// nothing is known.
-cv::Mat map_picture(const mrpt::maps::COccupancyGridMap2D& grid, const std::vector<FieldRow>& rows);
+/// The known part of a map, and its place in the frame of the map.
+struct MapPicture {
+    cv::Mat cells;  ///< 8-bit grey, one pixel a cell, y up: white is free, black occupied, grey unknown
+    double left_m = 0.0;
+    double bottom_m = 0.0;
+    double cell_m = 0.0;
+};
+
+/// As much of the map as is known, and the path. The cells are empty when nothing is known. Maps of more than
+/// 4000 cells a side come with larger cells.
+MapPicture map_picture(const mrpt::maps::COccupancyGridMap2D& grid, const std::vector<FieldRow>& rows);
 
 }  // namespace flownav

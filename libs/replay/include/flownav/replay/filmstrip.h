@@ -1,0 +1,43 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "flownav/core/field.h"
+#include "flownav/pipeline/step.h"
+#include "flownav/replay/field_row.h"
+
+namespace flownav {
+
+/// Annotated fields of a drive of unknown length for report.html: one every half second or so, more rarely
+/// once the pictures need more than `most_bytes`. Ends of cycles are preferred, as they show obstacles. Of
+/// what was offered only small pictures stay in memory.
+class Filmstrip {
+  public:
+    static constexpr std::size_t most_bytes = 2'900'000;
+
+    struct Picture {
+        double timestamp_s = 0.0;
+        FateCounts fates{};                     ///< blocks that the picture shows, by fate
+        std::vector<Eigen::Vector2d> points_m;  ///< obstacle points, in the frame of the start
+        std::vector<std::uint8_t> jpeg;
+    };
+
+    /// Considers one more field; they come with rising time stamps.
+    void offer(const Field& field, const pipeline::Step& step);
+
+    /// In order of time. A drive of a single field has one.
+    const std::vector<Picture>& pictures() const { return pictures_; }
+
+  private:
+    bool is_due(const pipeline::Step& step) const;
+    void thin_out();
+
+    std::vector<Picture> pictures_;
+    std::size_t bytes_ = 0;
+    bool has_better_than_first_ = false;
+    double interval_s_ = 0.5;
+    double due_s_ = 0.0;
+};
+
+}  // namespace flownav

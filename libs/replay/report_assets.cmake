@@ -1,0 +1,22 @@
+# Makes report_assets.cpp in the build folder: the scripts and style sheets that report.html carries.
+find_file(FLOWNAV_DYGRAPHS_JS dygraph.min.js PATHS /usr/share/javascript/dygraphs /usr/share/nodejs/dygraphs/dist
+          NO_DEFAULT_PATH DOC "The charts of report.html")
+find_file(FLOWNAV_DYGRAPHS_CSS dygraph.min.css PATHS /usr/share/javascript/dygraphs /usr/share/nodejs/dygraphs/dist
+          NO_DEFAULT_PATH DOC "The style of the charts of report.html")
+if(NOT FLOWNAV_DYGRAPHS_JS OR NOT FLOWNAV_DYGRAPHS_CSS)
+    message(FATAL_ERROR "dygraph.min.js and dygraph.min.css not found: install the package libjs-dygraphs, or set "
+                        "FLOWNAV_DYGRAPHS_JS and FLOWNAV_DYGRAPHS_CSS")
+endif()
+
+# Reads a file into a variable, without the comments that make a browser look elsewhere.
+function(flownav_asset variable file)
+    file(READ ${file} text)
+    string(REGEX REPLACE "/[/*][#!] *(sourceMappingURL|@license)[^\n]*\n?" "" text "${text}")
+    set(${variable} "${text}" PARENT_SCOPE)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+endfunction()
+flownav_asset(DYGRAPHS_JS ${FLOWNAV_DYGRAPHS_JS})
+flownav_asset(DYGRAPHS_CSS ${FLOWNAV_DYGRAPHS_CSS})
+flownav_asset(REPORT_JS ${CMAKE_CURRENT_SOURCE_DIR}/src/report.js)
+flownav_asset(REPORT_CSS ${CMAKE_CURRENT_SOURCE_DIR}/src/report.css)
+configure_file(src/report_assets.cpp.in report_assets.cpp @ONLY)

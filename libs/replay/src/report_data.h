@@ -1,0 +1,15 @@
+#pragma once
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include <string>
+
+#include "flownav/replay/drive.h"
+
+namespace flownav {
+
+/// Everything that the script of report.html draws, as JSON that may stand inside a <script> element whatever
+/// names it holds. `timing`: a JSON object, or empty.
+std::string report_data(const Drive& drive, const mrpt::maps::COccupancyGridMap2D& map,
+                        const std::string& timing);
+
+}  // namespace flownav

@@ -1,0 +1,104 @@
+#include "report_words.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace flownav {
+
+namespace {
+
+constexpr FigureWords all_figures[] = {
+    {"read.objects", "", "whole objects read from the file", ""},
+    {"read.images", "", "images of the camera", ""},
+    {"read.fields", "", "fields used: one an image, two where frames are woven", "as many as images"},
+    {"read.odometry", "", "poses of the odometry, used for comparison only", ""},
+    {"read.ground_truth", "", "poses of the ground truth, used for comparison only", ""},
+    {"read.ignored", "", "observations of other labels or classes", ""},
+    {"read.observations", "", "observations of this class and label", ""},
+    {"written.trajectory_poses", "", "poses of the flow odometry in trajectory.tum", "one a field"},
+    {"written.odometry_poses", "", "poses in odometry.tum", ""},
+    {"written.ground_truth_poses", "", "poses in ground_truth.tum", ""},
+    {"written.egomotion_rows", "", "rows of egomotion.csv", "one a field"},
+    {"written.obstacle_points", "", "points in obstacles.csv", "up to 100 a cycle; 0 on an empty floor"},
+    {"written.cycles", "", "finished cycles, each with points, a scan and a part of the map",
+     "3 to 6 a second at walking pace"},
+    {"written.result_rawlog", "", "observations of this label in result.rawlog", ""},
+    {"drive.start_s", "s", "time of the first field, since 1970", ""},
+    {"drive.duration_s", "s", "from the first field to the last", ""},
+    {"drive.path_m", "m", "length of the way by flow odometry", ""},
+    {"drive.end_x_m", "m", "end of the way, ahead of the start", ""},
+    {"drive.end_y_m", "m", "end of the way, left of the start", ""},
+    {"drive.end_heading_deg", "deg", "direction at the end, > 0: turned left", ""},
+    {"errors.fields_compared", "", "fields inside the time of the other track", "all fields"},
+    {"errors.omega_rms_degps", "deg/s", "turn rate, root mean square error per field",
+     "0.02 to 0.15 on a textured floor"},
+    {"errors.omega_cycle_rms_degps", "deg/s", "turn rate, root mean square of the mean error over a cycle",
+     "0.005 to 0.07"},
+    {"errors.v_bias_percent", "%", "forward speed, mean error of the cycles that measured it",
+     "within 0.3 where height and pitch are right; half a degree of pitch makes 2"},
+    {"errors.v_sd_percent", "%", "forward speed, standard deviation of that error", "0.1 to 0.8"},
+    {"errors.t_measured_percent", "%", "finished cycles whose forward speed was measured",
+     "over 90; less: too little texture near the robot"},
+    {"errors.end_position_percent", "%", "distance between the end positions, of the path's length",
+     "0.1 to 1"},
+    {"errors.heading_end_deg", "deg", "difference of the end headings, > 0: flow odometry too far left",
+     "within 0.2"},
+    {"errors.path_m", "m", "length of the path compared with", ""},
+    {"camera_check.verdict", "", "whether the camera's pose agrees with how the floor moves", "consistent"},
+    {"camera_check.pairs", "", "cycles that showed enough floor to tell", "16 or more"},
+    {"camera_check.agreeing_share", "", "share of the vectors of the near floor that agree with a plane",
+     "over 0.65"},
+    {"camera_check.pitch_error_deg", "deg", "what would have to be added to the pitch", "within 1"},
+    {"camera_check.roll_error_deg", "deg", "what would have to be added to the roll", "within 1"},
+    {"camera_check.yaw_error_deg", "deg", "what would have to be added to the yaw", "within 1"},
+    {"camera_check.pitch_sigma_deg", "deg", "uncertainty of that pitch", "below 0.3"},
+    {"camera_check.roll_sigma_deg", "deg", "uncertainty of that roll", "below 0.3"},
+    {"camera_check.yaw_sigma_deg", "deg", "uncertainty of that yaw", "below 0.3"},
+    {"camera_check.odometry_ratio", "", "distances by odometry over those by flow",
+     "0.8 to 1.25; else the height is wrong"},
+    {"camera_check.odometry_ratio_sigma", "", "uncertainty of that ratio", "below 0.02"},
+};
+
+struct ReasonWords {
+    const char* reason;
+    const char* words;
+};
+
+constexpr ReasonWords all_reasons[] = {
+    {"time_invalid", "has no valid time stamp"},
+    {"time_repeated", "has the same time stamp as the one before"},
+    {"time_backwards", "is older than the one before it"},
+    {"not_finite", "holds a number that is none"},
+    {"image_missing", "the file with the picture is not where the recording says"},
+    {"image_unreadable", "the file with the picture cannot be read as one"},
+    {"image_empty", "holds no picture"},
+    {"image_not_8bit", "pixels of more than 8 bits are not supported"},
+    {"calibration_of_another_size", "the recorded calibration is for another image size"},
+    {"image_size_changed", "the image size changed on the way; sensing began anew"},
+    {"calibration_changed", "the calibration or the camera's pose changed on the way; sensing began anew"},
+};
+
+}  // namespace
+
+const FigureWords* figure_words(const std::string& key) {
+    const auto same = [&key](const FigureWords& words) { return key == words.key; };
+    const auto* found = std::find_if(std::begin(all_figures), std::end(all_figures), same);
+    return found == std::end(all_figures) ? nullptr : found;
+}
+
+std::string reason_words(const std::string& reason) {
+    std::string rest = reason;
+    std::string subject = "image: ";
+    for (const auto& [prefix, name] : {std::pair{"odometry_", "pose of the odometry: "},
+                                       std::pair{"ground_truth_", "pose of the ground truth: "}}) {
+        if (rest.rfind(prefix, 0) != 0) continue;
+        rest.erase(0, std::string(prefix).size());
+        subject = name;
+    }
+    const auto same = [&rest](const ReasonWords& words) { return rest == words.reason; };
+    const auto* found = std::find_if(std::begin(all_reasons), std::end(all_reasons), same);
+    return found == std::end(all_reasons) ? reason : subject + found->words;
+}
+
+}  // namespace flownav
