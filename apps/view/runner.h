@@ -1,0 +1,72 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flownav/pipeline/pipeline.h"
+#include "flownav/replay/field_source.h"
+#include "flownav/sensor/config.h"
+#include "frame.h"
+
+namespace flownav::view {
+
+/// Where a Runner stood between two fields. Never changes; threads may share it.
+struct Checkpoint {
+    std::size_t next_index = 0;  ///< of the field that comes next
+    std::shared_ptr<const RawlogReader::Mark> place;
+    FieldSource source;
+    pipeline::State state;
+    Frame frame;
+
+    /// About what it holds in memory.
+    std::size_t bytes() const;
+};
+
+/// Drives a rawlog through the pipeline field by field, exactly as flownav-replay does, and can go back.
+class Runner {
+  public:
+    /// Throws InputError.
+    Runner(const std::filesystem::path& file, const Config& config);
+
+    /// Processes the next field; false at the end of what can be read. Throws ConfigError when the first
+    /// images cannot be used; later ones end the drive, see stop_reason().
+    bool advance();
+
+    const Frame& frame() const { return frame_; }
+    std::size_t next_index() const { return next_index_; }
+
+    /// Odometry and ground truth read by the last advance(), in front of its field.
+    const std::vector<PoseSample>& poses() const { return poses_; }
+
+    std::shared_ptr<const Checkpoint> checkpoint() const;
+
+    /// Goes on from a checkpoint of the same file and configuration.
+    void resume(const Checkpoint& checkpoint);
+
+    /// Goes on from there with another pipeline, which knows nothing yet.
+    void resume_afresh(const Checkpoint& checkpoint, const Config& config);
+
+    /// At the end of a file that may have grown: tries again.
+    void retry();
+
+    const ReadEnd& end() const { return reader_->end(); }
+    const std::string& stop_reason() const { return stop_reason_; }
+    const InputCounts& counts() const { return source_->counts(); }
+    double progress() const { return reader_->progress(); }
+
+  private:
+    std::optional<ReplayEvent> next_event();
+    void take(const Field& field);
+
+    std::unique_ptr<RawlogReader> reader_;
+    std::optional<FieldSource> source_;
+    pipeline::State state_;
+    Frame frame_;
+    std::size_t next_index_ = 0;
+    std::vector<PoseSample> poses_;
+    std::string stop_reason_;
+};
+
+}  // namespace flownav::view

@@ -1,0 +1,192 @@
+#include "view_app.h"
+
+#include <mrpt/3rdparty/tclap/CmdLine.h>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "command_output.h"
+#include "flownav/core/version.h"
+#include "flownav/replay/output_file.h"
+#include "flownav/replay/replay.h"
+#include "state_json.h"
+
+namespace flownav::view {
+
+namespace {
+
+constexpr int usage_status = static_cast<int>(ExitStatus::Usage);
+constexpr double strip_after_s = 60.0;  // of the drive, beyond a screenshot
+
+constexpr auto help = R"(Looks at a rawlog through the optic-flow sensor: why it saw, or missed, something.
+
+flownav-view FILE.rawlog [--config FILE.ini] [--set section.key=value]... [--follow] [--size WxH]
+flownav-view FILE.rawlog --screenshot F.png [--at SECONDS] [--point U,V] [--size WxH]
+
+  FILE.rawlog               images of one camera (and odometry, ground truth), plain or gz
+  --config FILE.ini         configuration; flownav-config --doc lists every key
+  --set section.key=value   sets one key, after the file; may be given several times
+  --follow                  the rawlog is still being written: go on at its end
+  --size WxH                size of the window or picture in pixels, at least 640x480, default 1440x900
+  --screenshot F.png        save a picture instead of opening a window; needs no display
+  --at SECONDS              the moment to show first, from the start of the drive, default 0
+  --point U,V               point at this pixel of the field, as the mouse would
+  --print-state             print what is shown as lines of JSON, whenever it changes
+  --help, --version         print this text, or the version, and exit
+
+Keys: space plays and pauses; left, right one field (with shift ten); home, end; up, down the speed; P predicted
+vectors; S saves a picture; [ and ] mark a stretch, M saves it as MP4; Q quits. The mouse: point at a block for its
+numbers; click or drag in the chart to go there; turn the wheel in the map to zoom.
+
+Exit status:
+  0  fine
+  1  bad usage or configuration, no such input, no image of the camera in it, or no display for a window
+  2  the input is damaged or ended early; what is readable is shown
+  3  output could not be written
+)";
+
+Config configuration(const std::string& file, const std::vector<std::string>& settings) {
+    Config config;
+    if (!file.empty()) load_config_file(config, file);
+    for (const std::string& setting : settings) {
+        const auto equals = setting.find('=');
+        if (equals == std::string::npos) {
+            throw ConfigError("--set " + setting + ": needs the form section.key=value");
+        }
+        set_config_value(config, setting.substr(0, equals), setting.substr(equals + 1));
+    }
+    return config;
+}
+
+/// Two numbers with a separator between them.
+std::pair<double, double> two_numbers(const std::string& option, const std::string& text, char separator) {
+    const auto at = text.find(separator);
+    try {
+        std::size_t first = 0;
+        std::size_t second = 0;
+        if (at == std::string::npos) throw std::invalid_argument(text);
+        const double a = std::stod(text.substr(0, at), &first);
+        const double b = std::stod(text.substr(at + 1), &second);
+        if (first == at && second == text.size() - at - 1) return {a, b};
+    } catch (const std::logic_error&) {  // falls through to the message
+    }
+    throw ConfigError(option + ' ' + text + ": needs the form A" + separator + 'B');
+}
+
+cv::Size size_of(const std::string& text) {
+    const auto [width, height] = two_numbers("--size", text, 'x');
+    constexpr double most = 8192;
+    if (!(width >= least_width_px && width <= most && height >= least_height_px && height <= most)) {
+        throw ConfigError("--size " + text + ": must be 640x480 to 8192x8192");
+    }
+    return {static_cast<int>(width), static_cast<int>(height)};
+}
+
+std::optional<ViewCommand> parse(const std::vector<std::string>& arguments, std::ostream& out,
+                                 std::ostream& error) {
+    TCLAP::CmdLine command("", ' ', version());
+    CommandOutput output(command, "flownav-view", help, out, error);
+    TCLAP::UnlabeledValueArg<std::string> input("input", "", false, "", "FILE.rawlog", command);
+    TCLAP::ValueArg<std::string> file("", "config", "", false, "", "FILE.ini", command);
+    TCLAP::MultiArg<std::string> settings("", "set", "", false, "section.key=value", command);
+    TCLAP::ValueArg<std::string> screenshot("", "screenshot", "", false, "", "F.png", command);
+    TCLAP::ValueArg<double> at("", "at", "", false, 0.0, "SECONDS", command);
+    TCLAP::ValueArg<std::string> point("", "point", "", false, "", "U,V", command);
+    TCLAP::ValueArg<std::string> size("", "size", "", false, "1440x900", "WxH", command);
+    TCLAP::SwitchArg follow("", "follow", "", command);
+    TCLAP::SwitchArg print_state("", "print-state", "", command);
+    std::vector<const char*> argv;
+    argv.reserve(arguments.size());
+    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+    if (!command.parse(static_cast<int>(argv.size()), argv.data())) {
+        if (output.failed()) throw ConfigError("");
+        return std::nullopt;
+    }
+    if (input.getValue().rfind('-', 0) == 0) throw ConfigError("unknown argument " + input.getValue());
+    if (!input.isSet()) throw ConfigError("needs FILE.rawlog; try flownav-view --help");
+    std::error_code problem;
+    if (!std::filesystem::exists(input.getValue(), problem))
+        throw ConfigError(input.getValue() + ": no such file");
+    if (std::filesystem::is_directory(input.getValue(), problem))
+        throw ConfigError(input.getValue() + ": is a folder, not a rawlog");
+    ViewCommand result;
+    result.options.input = input.getValue();
+    result.options.config = configuration(file.getValue(), settings.getValue());
+    result.options.follow = follow.getValue();
+    result.size = size_of(size.getValue());
+    result.screenshot = screenshot.getValue();
+    result.at_s = at.getValue();
+    result.print_state = print_state.getValue();
+    if (point.isSet()) {
+        const auto [u, v] = two_numbers("--point", point.getValue(), ',');
+        result.pointed_px = Eigen::Vector2d(u, v);
+    }
+    return result;
+}
+
+/// 2 when the input ended in another way than it should.
+int status_of(const ViewModel& model, std::ostream& error) {
+    const std::string end = model.timeline().end_text();
+    if (end.empty()) return 0;
+    error << "flownav-view: " << end << '\n';
+    return static_cast<int>(ExitStatus::Input);
+}
+
+void save_picture(const std::string& file, const cv::Mat& picture) {
+    std::vector<std::uint8_t> bytes;
+    cv::imencode(".png", picture, bytes);
+    write_file(file, std::string(bytes.begin(), bytes.end()));
+}
+
+/// Reads up to the moment, and somewhat further for the chart.
+void read_until(ViewModel& model, double time_s) {
+    constexpr std::size_t at_once = 64;
+    for (bool more = true; more;) {
+        more = model.work(at_once);
+        model.poll();
+        const Timeline& timeline = model.timeline();
+        if (!timeline.rows.empty() && timeline.time_s(timeline.rows.size() - 1) > time_s) return;
+    }
+}
+
+int save_screenshot(const ViewCommand& command, std::ostream& out, std::ostream& error) {
+    ViewOptions options = command.options;
+    options.way = Scout::Way::Asked;
+    options.follow = false;
+    ViewModel model(options);
+    read_until(model, command.at_s + strip_after_s);
+    model.show_at(command.at_s);
+    model.hover(command.pointed_px);
+    save_picture(command.screenshot, view_picture(model, {}, command.size));
+    if (command.print_state) out << state_json(model) << '\n';
+    return status_of(model, error);
+}
+
+}  // namespace
+
+int run_view_app(const std::vector<std::string>& arguments, const OpenWindow& open_window, std::ostream& out,
+                 std::ostream& error) {
+    const auto say = [&error](const std::exception& exception) {
+        const std::string what = exception.what();
+        if (!what.empty()) error << "flownav-view: " << what << '\n';
+    };
+    try {
+        const auto command = parse(arguments, out, error);
+        if (!command) return 0;
+        if (!command->screenshot.empty()) return save_screenshot(*command, out, error);
+        ViewModel model(command->options);
+        model.hover(command->pointed_px);
+        const int status = open_window(model, *command, out, error);
+        return status == 0 ? status_of(model, error) : status;
+    } catch (const ConfigError& exception) {
+        say(exception);
+        return usage_status;
+    } catch (const InputError& exception) {
+        say(exception);
+        return static_cast<int>(ExitStatus::Input);
+    } catch (const OutputError& exception) {
+        say(exception);
+        return static_cast<int>(ExitStatus::Output);
+    }
+}
+
+}  // namespace flownav::view
