@@ -19,14 +19,18 @@ constexpr int most_threads = 64;
 constexpr auto help = R"(Replays a rawlog through the optic-flow sensor.
 
 flownav-replay INPUT.rawlog --output DIR [--config FILE.ini] [--set section.key=value]...
-               [--video FILE.mp4] [--keep-images] [--threads N] [--quiet]
+               [--video FILE.mp4] [--flow-field FILE.rawlog] [--keep-images] [--timing] [--threads N]
+               [--quiet]
 
   INPUT.rawlog              images of one camera (and odometry, ground truth), plain or gz
   --output DIR              folder for the results; made when it is missing, old results are overwritten
   --config FILE.ini         configuration; flownav-config --doc lists every key
   --set section.key=value   sets one key, after the file; may be given several times
   --video FILE.mp4          also make a video of the drive: annotated fields side by side with the growing map
+  --flow-field FILE.rawlog  also write the whole record of every field: blocks with vectors, predictions and
+                            fates, motion, obstacles; for MRPT's tools with the plug-in libflownav-sensor.so
   --keep-images             copy the fields as they were used into result.rawlog
+  --timing                  show the time per stage in report.html too; it then differs from run to run
   --threads N               threads of the block matching, 1..64, default 1; the results do not depend on it
   --quiet                   no progress and no closing line
   --help, --version         print this text, or the version, and exit
@@ -84,7 +88,9 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
     TCLAP::MultiArg<std::string> settings("", "set", "", false, "section.key=value", command);
     TCLAP::ValueArg<int> threads("", "threads", "", false, 1, "N", command);
     TCLAP::ValueArg<std::string> video("", "video", "", false, "", "FILE.mp4", command);
+    TCLAP::ValueArg<std::string> flow_field("", "flow-field", "", false, "", "FILE.rawlog", command);
     TCLAP::SwitchArg keep_images("", "keep-images", "", command);
+    TCLAP::SwitchArg timing("", "timing", "", command);
     TCLAP::SwitchArg quiet("", "quiet", "", command);
 
     std::vector<const char*> argv;
@@ -111,6 +117,8 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
     result.options.config = configuration(file.getValue(), settings.getValue(), threads.getValue());
     result.options.optional.keep_images = keep_images.getValue();
     result.options.optional.video = video.getValue();
+    result.options.optional.flow_field = flow_field.getValue();
+    result.options.timing_in_report = timing.getValue();
     if (!result.quiet) result.options.progress = Progress::style_for(stdout);
     return result;
 }

@@ -418,6 +418,46 @@ TEST_F(ReplayProgram, AFolderInTheWayEndsWithThree) {
     }
 }
 
+TEST_F(ReplayProgram, ADiskThatIsFullInTheMiddleOfTheImagesEndsWithThree) {
+    fs::create_directories(output);
+    fs::create_symlink("/dev/full", output / "result.rawlog");
+    const Outcome outcome = replay(corridor, {"--quiet", "--keep-images"});
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_TRUE(has(outcome.error, "result.rawlog")) << outcome.error;
+}
+
+// ---- the record of every field
+
+TEST_F(ReplayProgram, AFlowFieldFileHasOneRecordAFieldAndChangesNoResult) {
+    const fs::path fields = scratch / "fields.rawlog";
+    const Outcome outcome = replay(corridor, {"--quiet", "--flow-field", fields});
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_EQ(files_in(output), every_file);
+    const fs::path plain = scratch / "plain";
+    ASSERT_EQ(replay_to(plain, corridor, {"--quiet"}).status, 0);
+    EXPECT_EQ(content(output / "result.rawlog"), content(plain / "result.rawlog"));
+    RawlogReader reader(fields);
+    std::size_t count = 0;
+    while (reader.next()) ++count;
+    EXPECT_EQ(reader.end().kind, ReadEnd::Kind::Clean) << reader.end().message;
+    EXPECT_EQ(count, summary()["read"]["fields"]);
+}
+
+TEST_F(ReplayProgram, AFlowFieldFileOverwritesNeitherTheInputNorAResult) {
+    const std::string input = small_rawlog();
+    for (const fs::path& file : {fs::path(input), output / "summary.json", output / "." / "result.rawlog"}) {
+        expect_refused(replay(input, {"--flow-field", file}), "would overwrite", output);
+    }
+    expect_refused(replay(input, {"--flow-field", scratch / "x", "--video", scratch / "x"}), "same file",
+                   output);
+}
+
+TEST_F(ReplayProgram, AFlowFieldFileOnAFullDiskEndsWithThree) {
+    const Outcome outcome = replay(small_rawlog(), {"--quiet", "--flow-field", "/dev/full"});
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_TRUE(has(outcome.error, "/dev/full")) << outcome.error;
+}
+
 // ---- pictures that are none
 
 TEST_F(ReplayProgram, BlackWhiteAndConstantFieldsGetAStatusWord) {

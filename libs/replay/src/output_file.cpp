@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <system_error>
+#include <vector>
 
 namespace flownav {
 
@@ -76,6 +77,12 @@ void GzOutputFile::close() {
     file_ = nullptr;
     errno = 0;
     if (gzclose(file) != Z_OK) fail(path_, errno);
+}
+
+void write_object(GzOutputFile& file, const mrpt::serialization::CSerializable& object) {
+    std::vector<std::uint8_t> bytes;
+    mrpt::serialization::ObjectToOctetVector(&object, bytes);
+    file.Write(bytes.data(), bytes.size());
 }
 
 size_t GzOutputFile::Read(void* /*buffer*/, size_t /*count*/) {

@@ -34,6 +34,13 @@ void write_map(const mrpt::maps::COccupancyGridMap2D& grid, const std::filesyste
 
 }  // namespace
 
+const std::vector<const char*>& output_names() {
+    static const std::vector<const char*> names = {
+        "trajectory.tum", odometry_name,    ground_truth_name, "egomotion.csv", "obstacles.csv", "map.pgm",
+        "map.yaml",       "map.gridmap.gz", "result.rawlog",   "summary.json",  "report.html"};
+    return names;
+}
+
 Outputs::Outputs(std::filesystem::path folder, const Config& config, const OptionalOutputs& optional)
     : folder_(prepared(std::move(folder))),
       config_(config),
@@ -44,6 +51,11 @@ Outputs::Outputs(std::filesystem::path folder, const Config& config, const Optio
       rawlog_(folder_ / "result.rawlog", config.pipeline.obstacles.range_max_m),
       map_(config.map) {
     if (!optional.video.empty()) video_.emplace(optional.video, config.map.size_m);
+    if (!optional.flow_field.empty()) flow_field_.emplace(optional.flow_field);
+}
+
+void Outputs::map(const pipeline::Step& step) {
+    if (step.end_of_cycle) map_.insert({step.timestamp_s, step.T_start_robot, step.obstacles, step.ground});
 }
 
 void Outputs::write(const Field& field, const pipeline::Step& step) {
@@ -55,25 +67,24 @@ void Outputs::write(const Field& field, const pipeline::Step& step) {
     ++written_.trajectory_poses;
     ++written_.egomotion_rows;
     written_.obstacle_points += step.obstacles.size();
-    if (step.end_of_cycle) {
-        ++written_.cycles;
-        map_.insert({step.timestamp_s, step.T_start_robot, step.obstacles, step.ground});
-    }
+    if (step.end_of_cycle) ++written_.cycles;
+    if (flow_field_) flow_field_->write(field, step);
     if (video_) video_->write(field, step, map_.grid());
 }
 
-void Outputs::finish(Drive& drive) {
+void Outputs::finish(Drive& drive, const Timing* timing) {
     trajectory_.close();
     egomotion_.close();
     obstacles_.close();
     rawlog_.close();
     if (video_) video_->close();
+    if (flow_field_) flow_field_->close();
     written_.result_rawlog = rawlog_.counts();
     written_.odometry_poses = write_track(odometry_name, drive.odometry, drive);
     written_.ground_truth_poses = write_track(ground_truth_name, drive.ground_truth, drive);
     write_map(map_.grid(), folder_);
     drive.written = written_;
-    write_file(folder_ / "report.html", report_html(drive, map_.grid(), config_));
+    write_file(folder_ / "report.html", report_html(drive, map_.grid(), config_, timing));
 }
 
 void Outputs::write_summary(const Drive& drive, const Timing& timing) {

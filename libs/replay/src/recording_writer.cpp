@@ -3,7 +3,6 @@
 #include <mrpt/core/Clock.h>
 #include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationRobotPose.h>
-#include <mrpt/serialization/CArchive.h>
 
 #include <opencv2/core/mat.hpp>
 #include <system_error>
@@ -67,7 +66,7 @@ class Recording {
         image.cameraPose = camera_pose(field.camera.mount);
         image.cameraParams = camera_params(field.camera);
         image.image = mrpt::img::CImage(view.clone(), mrpt::img::SHALLOW_COPY);
-        mrpt::serialization::archiveFrom(file_) << image;
+        write_object(file_, image);
     }
 
     void write(double timestamp_s, const Pose2& T_start_robot) {
@@ -76,7 +75,7 @@ class Recording {
         pose.sensorLabel = "GROUND_TRUTH";
         pose.pose.mean =
             mrpt::poses::CPose3D(T_start_robot.x_m, T_start_robot.y_m, 0, T_start_robot.yaw_rad, 0, 0);
-        mrpt::serialization::archiveFrom(file_) << pose;
+        write_object(file_, pose);
     }
 
     void close() { file_.close(); }

@@ -1,6 +1,5 @@
 #include "flownav/replay/replay.h"
 
-#include <chrono>
 #include <optional>
 #include <system_error>
 #include <variant>
@@ -11,29 +10,15 @@
 #include "flownav/replay/outputs.h"
 #include "flownav/sensor/make_state.h"
 #include "input_path.h"
+#include "stage_clock.h"
 
 namespace flownav {
 
 namespace {
 
-using Seconds = std::chrono::duration<double>;
-
 /// What was asked for makes no sense; what() says why.
 struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
-};
-
-/// Adds the time of a scope to a sum.
-class Stopwatch {
-  public:
-    explicit Stopwatch(double& sum_s) : sum_s_(sum_s) {}
-    ~Stopwatch() { sum_s_ += Seconds(std::chrono::steady_clock::now() - start_).count(); }
-    Stopwatch(const Stopwatch&) = delete;
-    Stopwatch& operator=(const Stopwatch&) = delete;
-
-  private:
-    double& sum_s_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
@@ -51,9 +36,18 @@ std::string listed(const std::map<std::string, std::uint64_t>& counts) {
     return text;
 }
 
+/// Whether two paths lead to the same file, which need not exist yet.
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code error;
+    if (std::filesystem::equivalent(a, b, error)) return true;
+    return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+}
+
 class Run {
   public:
-    explicit Run(const ReplayOptions& options) : options_(options), state_(make_state(options.config)) {
+    explicit Run(const ReplayOptions& options)
+        : options_(options),
+          state_(options.config.pipeline, clock_.timed(make_matcher(options.config.pipeline))) {
         timing_.threads = options.config.pipeline.threads;
         const bool own = options.config.pipeline.flow.matcher == MatcherKind::Sad;
         timing_.kernel = own ? pipeline::kernel_name() : "opencv";
@@ -61,12 +55,10 @@ class Run {
     }
 
     ReplayResult result() {
-        {
-            const Stopwatch total(timing_.total_s);
-            refuse_bad_paths();
-            read();
-            finish();
-        }
+        refuse_bad_paths();
+        read();
+        finish();
+        clock_.report(timing_);
         outputs_->write_summary(drive_, timing_);
         return {status(), message(), drive_.camera_check.warnings, outcome()};
     }
@@ -81,6 +73,23 @@ class Run {
             throw UsageError(options_.input.string() +
                              " would be overwritten by result.rawlog: choose another --output");
         }
+        refuse_overwriting("--flow-field", options_.optional.flow_field);
+        refuse_overwriting("--video", options_.optional.video);
+        const auto& [keep_images, video, flow_field] = options_.optional;
+        if (!video.empty() && same_file(video, flow_field))
+            throw UsageError("--video and --flow-field name the same file, " + video.string());
+    }
+
+    /// A file of its own must be neither the input nor one that the output folder holds anyway.
+    void refuse_overwriting(const std::string& option, const std::filesystem::path& file) const {
+        if (file.empty()) return;
+        const auto refuse = [&](const std::string& what) {
+            throw UsageError(option + ' ' + file.string() + ": would overwrite " + what +
+                             "; choose another file");
+        };
+        if (same_file(file, options_.input)) refuse("the input");
+        for (const char* name : output_names())
+            if (same_file(file, options_.output / name)) refuse(name + std::string(" of --output"));
     }
 
     void read() {
@@ -110,7 +119,7 @@ class Run {
     }
 
     std::optional<ReplayEvent> next(FieldSource& source) {
-        const Stopwatch watch(timing_.decode_s);
+        clock_.enter(&StageTimes::decode_s);
         try {
             return source.next();
         } catch (const ConfigError& error) {
@@ -122,17 +131,17 @@ class Run {
 
     void take(const Field& field) {
         open_outputs();
-        const pipeline::Step& step = stepped(field);
+        clock_.enter(&StageTimes::motion_s);
+        const pipeline::Step& step = pipeline::step(state_, field);
+        clock_.enter(StageClock::other);
         drive_.rows.push_back(row_of(step));
         checker_.take(field, step);
-        const Stopwatch watch(timing_.write_s);
+        clock_.enter(&StageTimes::map_s);
+        outputs_->map(step);
+        clock_.enter(&StageTimes::write_s);
         drive_.filmstrip.offer(field, step);
         outputs_->write(field, step);
-    }
-
-    const pipeline::Step& stepped(const Field& field) {
-        const Stopwatch watch(timing_.step_s);
-        return pipeline::step(state_, field);
+        clock_.end_field(field.timestamp_s);
     }
 
     void take(const PoseSample& sample) {
@@ -149,7 +158,7 @@ class Run {
     /// Not before there is a field that can be used, so that bad configuration writes nothing.
     void open_outputs() {
         if (outputs_) return;
-        const Stopwatch watch(timing_.write_s);
+        clock_.enter(&StageTimes::write_s);
         outputs_.emplace(options_.output, options_.config, options_.optional);
         for (const PoseSample& sample : early_odometry_) outputs_->write_odometry(sample);
         early_odometry_.clear();
@@ -157,14 +166,15 @@ class Run {
 
     void finish() {
         open_outputs();
-        const Stopwatch watch(timing_.write_s);
+        clock_.enter(&StageTimes::write_s);
         drive_.odometry.finish();
         drive_.ground_truth.finish();
         if (!drive_.odometry.empty()) drive_.odometry_errors = compare(drive_.rows, drive_.odometry);
         if (!drive_.ground_truth.empty())
             drive_.ground_truth_errors = compare(drive_.rows, drive_.ground_truth);
         drive_.camera_check = checker_.result(drive_.odometry);
-        outputs_->finish(drive_);
+        clock_.report(timing_);
+        outputs_->finish(drive_, options_.timing_in_report ? &timing_ : nullptr);
     }
 
     ExitStatus status() const {
@@ -195,6 +205,7 @@ class Run {
     }
 
     const ReplayOptions& options_;
+    StageClock clock_;
     pipeline::State state_;
     CameraChecker checker_{options_.config.pipeline.motion.geometry};
     Drive drive_;

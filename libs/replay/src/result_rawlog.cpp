@@ -1,7 +1,5 @@
 #include "flownav/replay/result_rawlog.h"
 
-#include <mrpt/serialization/CArchive.h>
-
 #include "flownav/sensor/observations.h"
 
 namespace flownav {
@@ -22,7 +20,7 @@ void ResultRawlog::write_image(const Field& field, const std::string& label) {
 }
 
 void ResultRawlog::write_object(const mrpt::obs::CObservation& observation) {
-    mrpt::serialization::archiveFrom(file_) << observation;
+    flownav::write_object(file_, observation);
     ++counts_[observation.sensorLabel];
 }
 

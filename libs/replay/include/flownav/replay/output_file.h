@@ -1,5 +1,6 @@
 #pragma once
 #include <mrpt/io/CStream.h>
+#include <mrpt/serialization/CSerializable.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -60,5 +61,9 @@ class GzOutputFile : public mrpt::io::CStream {
     void* file_ = nullptr;  ///< a gzFile
     uint64_t written_ = 0;
 };
+
+/// Appends one object as a rawlog has it. An archive on the file would wrap the OutputError of a full disk
+/// into an exception of MRPT's own.
+void write_object(GzOutputFile& file, const mrpt::serialization::CSerializable& object);
 
 }  // namespace flownav

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "flownav/core/field.h"
 #include "flownav/mapping/fusion.h"
@@ -8,6 +9,7 @@
 #include "flownav/replay/csv_files.h"
 #include "flownav/replay/drive.h"
 #include "flownav/replay/drive_video.h"
+#include "flownav/replay/flow_field_file.h"
 #include "flownav/replay/result_rawlog.h"
 #include "flownav/replay/trajectory_file.h"
 #include "flownav/sensor/config.h"
@@ -16,9 +18,13 @@ namespace flownav {
 
 /// What is written only when asked for.
 struct OptionalOutputs {
-    bool keep_images = false;     ///< copy the fields into result.rawlog too
-    std::filesystem::path video;  ///< an MP4 of the drive; empty: none
+    bool keep_images = false;          ///< copy the fields into result.rawlog too
+    std::filesystem::path video;       ///< an MP4 of the drive; empty: none
+    std::filesystem::path flow_field;  ///< a rawlog of CObservationFlowField; empty: none
 };
+
+/// Names of the files that every replay writes into its folder.
+const std::vector<const char*>& output_names();
 
 /// Every file of an output folder. What is known is written at once; finish() adds what needs the whole
 /// drive. Everything throws OutputError when it cannot be written.
@@ -26,11 +32,13 @@ class Outputs {
   public:
     Outputs(std::filesystem::path folder, const Config& config, const OptionalOutputs& optional);
 
+    /// Enters what a finished cycle saw into the map; comes before write().
+    void map(const pipeline::Step& step);
     void write(const Field& field, const pipeline::Step& step);
     void write_odometry(const PoseSample& sample) { rawlog_.write_odometry(sample); }
 
-    /// Pose tracks, map and report; fills drive.written.
-    void finish(Drive& drive);
+    /// Pose tracks, map and report, with `timing` in it unless null; fills drive.written.
+    void finish(Drive& drive, const Timing* timing = nullptr);
 
     /// summary.json, which counts what finish() wrote.
     void write_summary(const Drive& drive, const Timing& timing);
@@ -48,6 +56,7 @@ class Outputs {
     ResultRawlog rawlog_;
     DriveMap map_;
     std::optional<DriveVideo> video_;
+    std::optional<FlowFieldFile> flow_field_;
 };
 
 }  // namespace flownav
