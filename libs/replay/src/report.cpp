@@ -124,7 +124,7 @@ std::string curves(const Drive& drive) {
 }  // namespace
 
 std::string report_html(const Drive& drive, const mrpt::maps::COccupancyGridMap2D& map, const Config& config,
-                        const std::string& timing) {
+                        const Timing* timing) {
     std::string html = beginning(drive);
     if (!drive.rows.empty()) {
         html +=

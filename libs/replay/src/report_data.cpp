@@ -8,6 +8,7 @@
 #include "flownav/replay/fate_style.h"
 #include "flownav/replay/map_picture.h"
 #include "report_series.h"
+#include "summary_facts.h"
 
 namespace flownav {
 
@@ -175,7 +176,7 @@ std::string inside_script(const std::string& json) {
 }  // namespace
 
 std::string report_data(const Drive& drive, const mrpt::maps::COccupancyGridMap2D& map,
-                        const std::string& timing) {
+                        const Timing* timing) {
     Json data;
     data["input"] = drive.input_name;
     data["charts"] = charts_json(drive);
@@ -183,7 +184,7 @@ std::string report_data(const Drive& drive, const mrpt::maps::COccupancyGridMap2
     data["tracks"] = tracks_json(drive);
     data["map"] = map_json(drive, map);
     data["pictures"] = pictures_json(drive);
-    data["timing"] = timing.empty() ? Json(nullptr) : Json::parse(timing);
+    data["timing"] = timing == nullptr ? Json(nullptr) : timing_facts(*timing);
     return inside_script(data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 

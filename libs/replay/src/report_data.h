@@ -8,8 +8,7 @@
 namespace flownav {
 
 /// Everything that the script of report.html draws, as JSON that may stand inside a <script> element whatever
-/// names it holds. `timing`: a JSON object, or empty.
-std::string report_data(const Drive& drive, const mrpt::maps::COccupancyGridMap2D& map,
-                        const std::string& timing);
+/// names it holds. `timing` may be null.
+std::string report_data(const Drive& drive, const mrpt::maps::COccupancyGridMap2D& map, const Timing* timing);
 
 }  // namespace flownav

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "flownav/core/version.h"
 #include "summary_facts.h"
@@ -13,6 +14,8 @@ namespace flownav {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_stretches = 250;
 
 /// Six decimals, as in the CSV files.
 Json rounded(double value) {
@@ -83,7 +86,8 @@ Json camera_check_part(const CameraCheck& check) {
     const auto angle = [&check](const MountAngles& angles, int i) {
         return check.angles_known ? rounded(angles[i] * 180.0 / M_PI) : Json(nullptr);
     };
-    Json part = {{"verdict", check.verdict}, {"pairs", check.pairs}, {"agreeing_share", rounded(check.agreeing)}};
+    Json part = {
+        {"verdict", check.verdict}, {"pairs", check.pairs}, {"agreeing_share", rounded(check.agreeing)}};
     const std::array<const char*, 3> names = {"pitch", "roll", "yaw"};
     for (int i = 0; i < 3; ++i) {
         const std::string name = names.at(static_cast<std::size_t>(i));
@@ -105,15 +109,23 @@ Json config_part(const Config& config) {
     return part;
 }
 
-Json timing_part(const Timing& timing, std::size_t fields) {
-    const double rate = timing.total_s > 0 ? static_cast<double>(fields) / timing.total_s : 0.0;
-    return {{"decode_s", rounded(timing.decode_s)},
-            {"step_s", rounded(timing.step_s)},
-            {"write_s", rounded(timing.write_s)},
-            {"total_s", rounded(timing.total_s)},
-            {"fields_per_s", rounded(rate)},
-            {"threads", timing.threads},
-            {"kernel", timing.kernel}};
+/// Milliseconds a field, as means over at most `most_stretches` stretches of the drive.
+Json times_per_field(const std::vector<FieldTimes>& fields) {
+    const std::size_t stretches = std::min(most_stretches, fields.size());
+    Json times = {{"t_s", Json::array()}};
+    for (const NamedStage& stage : all_stages) times[std::string(stage.name) + "_ms"] = Json::array();
+    for (std::size_t i = 0; i < stretches; ++i) {
+        const std::size_t from = i * fields.size() / stretches;
+        const std::size_t to = (i + 1) * fields.size() / stretches;
+        times["t_s"].push_back(rounded(fields[from].timestamp_s - fields.front().timestamp_s));
+        for (const NamedStage& stage : all_stages) {
+            double sum_s = 0.0;
+            for (std::size_t k = from; k < to; ++k) sum_s += fields[k].spent.*stage.seconds;
+            const double mean_ms = 1000.0 * sum_s / static_cast<double>(to - from);
+            times[std::string(stage.name) + "_ms"].push_back(std::round(mean_ms * 1000) / 1000);
+        }
+    }
+    return times;
 }
 
 }  // namespace
@@ -136,15 +148,32 @@ Json summary_facts(const Drive& drive, const Config& config) {
     return summary;
 }
 
-std::string timing_json(const Timing& timing, std::size_t fields) {
-    return timing_part(timing, fields).dump();
+Json timing_facts(const Timing& timing) {
+    const auto fields = static_cast<double>(timing.fields.size());
+    const StageTimes& spent = timing.stages;
+    Json stages;
+    for (const NamedStage& stage : all_stages)
+        stages[std::string(stage.name) + "_s"] = rounded(spent.*stage.seconds);
+    return {{"decode_s", rounded(spent.decode_s)},
+            {"step_s", rounded(spent.match_s + spent.motion_s)},
+            {"write_s", rounded(spent.map_s + spent.write_s)},
+            {"total_s", rounded(timing.total_s)},
+            {"fields_per_s", rounded(timing.total_s > 0 ? fields / timing.total_s : 0.0)},
+            {"threads", timing.threads},
+            {"kernel", timing.kernel},
+            {"stages", std::move(stages)},
+            {"per_field", times_per_field(timing.fields)}};
 }
 
 std::string summary_json(const Drive& drive, const Config& config, const Timing& timing) {
     Json summary = summary_facts(drive, config);
-    summary["timing"] = timing_part(timing, drive.rows.size());
+    summary["timing"] = timing_facts(timing);
+    const std::string mark = "times per field";
+    const Json per_field = std::exchange(summary["timing"]["per_field"], mark);
     // A file's name may hold bytes that are no UTF-8: they are replaced, the file is written all the same.
-    return summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+    std::string text = summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+    const auto at = text.rfind('"' + mark + '"');                // the timing comes last
+    return text.replace(at, mark.size() + 2, per_field.dump());  // lists of numbers in one line
 }
 
 }  // namespace flownav

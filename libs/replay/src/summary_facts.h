@@ -9,7 +9,7 @@ namespace flownav {
 /// summary.json without its timing.
 nlohmann::ordered_json summary_facts(const Drive& drive, const Config& config);
 
-/// The object "timing" of summary.json, as text.
-std::string timing_json(const Timing& timing, std::size_t fields);
+/// The object "timing" of summary.json.
+nlohmann::ordered_json timing_facts(const Timing& timing);
 
 }  // namespace flownav

@@ -23,7 +23,7 @@ mrpt::maps::COccupancyGridMap2D small_map() {
     return map;
 }
 
-std::string report_of(const Drive& drive, const std::string& timing = "") {
+std::string report_of(const Drive& drive, const Timing* timing = nullptr) {
     return report_html(drive, small_map(), Config{}, timing);
 }
 

@@ -12,6 +12,7 @@
 #include "flownav/replay/metrics.h"
 #include "flownav/replay/pose_track.h"
 #include "flownav/replay/rawlog_reader.h"
+#include "flownav/replay/timing.h"
 
 namespace flownav {
 
@@ -24,16 +25,6 @@ struct WrittenCounts {
     std::uint64_t obstacle_points = 0;
     std::uint64_t cycles = 0;                            ///< finished cycles, each a scan and a cloud
     std::map<std::string, std::uint64_t> result_rawlog;  ///< observations by label
-};
-
-/// Where the time went, in seconds.
-struct Timing {
-    double decode_s = 0.0;
-    double step_s = 0.0;
-    double write_s = 0.0;
-    double total_s = 0.0;
-    int threads = 1;
-    std::string kernel;
 };
 
 /// Everything that is known when a drive has been replayed.

@@ -14,6 +14,7 @@ struct ReplayOptions {
     std::filesystem::path output;  ///< folder, made when it is missing; what is in it is overwritten
     Config config;
     OptionalOutputs optional;
+    bool timing_in_report = false;  ///< then report.html differs from run to run
     Progress::Style progress = Progress::Style::Silent;  ///< on the standard output
 };
 
