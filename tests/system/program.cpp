@@ -17,9 +17,34 @@ void redirect(const char* path, int flags, int descriptor) {
     dup2(file, descriptor);
 }
 
+/// Whoever reads from the pipe meets its end only when this is gone.
+class Pipe {
+  public:
+    Pipe() {
+        if (pipe2(ends_, O_CLOEXEC) != 0) ends_[0] = ends_[1] = -1;
+    }
+    ~Pipe() {
+        close(ends_[0]);
+        close(ends_[1]);
+    }
+    Pipe(const Pipe&) = delete;
+    Pipe& operator=(const Pipe&) = delete;
+
+    int reading_end() const { return ends_[0]; }
+
+  private:
+    int ends_[2] = {};
+};
+
 [[noreturn]] void become(const std::string& program, const std::vector<std::string>& arguments,
-                         const std::string& out, const std::string& error) {
-    redirect("/dev/null", O_RDONLY, STDIN_FILENO);
+                         const std::string& out, const std::string& error, int input) {
+    if (input >= 0) {
+        dup2(input, STDIN_FILENO);
+    } else {
+        redirect("/dev/null", O_RDONLY, STDIN_FILENO);
+    }
+    constexpr unsigned patience_s = 300;
+    alarm(patience_s);  // a program that hangs is ended by the signal
     redirect(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
     redirect(error.c_str(), O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
     std::vector<char*> argv = {const_cast<char*>(program.c_str())};
@@ -38,11 +63,13 @@ std::string text_of(const std::string& file) {
 }  // namespace
 
 Outcome run_program(const std::string& program, const std::vector<std::string>& arguments,
-                    const std::filesystem::path& scratch) {
+                    const std::filesystem::path& scratch, Input input) {
     const std::string out = scratch / "program.out";
     const std::string error = scratch / "program.err";
+    const Pipe waiting;
     const pid_t child = fork();
-    if (child == 0) become(program, arguments, out, error);
+    if (child == 0)
+        become(program, arguments, out, error, input == Input::Waiting ? waiting.reading_end() : -1);
     int state = 0;
     rusage usage{};
     wait4(child, &state, 0, &usage);

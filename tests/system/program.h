@@ -13,8 +13,15 @@ struct Outcome {
     long peak_memory_kb = 0;
 };
 
-/// Runs a program without terminal and without input, and waits for it. `scratch` takes its output meanwhile.
+/// What a program finds on its standard input.
+enum class Input {
+    AtEnd,    ///< it is at its end at once
+    Waiting,  ///< a pipe that stays open and empty
+};
+
+/// Runs a program without terminal and without input, and waits for it, five minutes at most. `scratch` takes
+/// its output meanwhile.
 Outcome run_program(const std::string& program, const std::vector<std::string>& arguments,
-                    const std::filesystem::path& scratch);
+                    const std::filesystem::path& scratch, Input input = Input::AtEnd);
 
 }  // namespace flownav::testing

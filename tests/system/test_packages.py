@@ -34,6 +34,7 @@ OF_PROGRAM = {
     "g++": {"build-essential"},
     "python3": {"python3"},
     "rawlog-edit": {"mrpt-apps"},
+    "rawlog-grabber": {"mrpt-apps"},
     "sudo": set(),  # only where one is not root; looked for first
 } | {name: set() for name in "apt-get cat dirname dpkg-query env id mkdir nproc sed".split()}
 # Modules imported by the scripts in Python, beside Python's own.
