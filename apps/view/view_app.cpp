@@ -2,8 +2,7 @@
 
 #include <mrpt/3rdparty/tclap/CmdLine.h>
 
-#include <opencv2/imgcodecs.hpp>
-
+#include "clip.h"
 #include "command_output.h"
 #include "flownav/core/version.h"
 #include "flownav/replay/output_file.h"
@@ -129,12 +128,6 @@ int status_of(const ViewModel& model, std::ostream& error) {
     if (end.empty()) return 0;
     error << "flownav-view: " << end << '\n';
     return static_cast<int>(ExitStatus::Input);
-}
-
-void save_picture(const std::string& file, const cv::Mat& picture) {
-    std::vector<std::uint8_t> bytes;
-    cv::imencode(".png", picture, bytes);
-    write_file(file, std::string(bytes.begin(), bytes.end()));
 }
 
 /// Reads up to the moment, and somewhat further for the chart.

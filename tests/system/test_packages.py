@@ -13,6 +13,7 @@ OF_PACKAGE = {
     "Eigen3": {"libeigen3-dev"},
     "GTest": {"libgtest-dev"},
     "benchmark": {"libbenchmark-dev"},
+    "mrpt-gui": {"libmrpt-gui-dev", "libgl1-mesa-dri"},
     "mrpt-hwdrivers": {"libmrpt-hwdrivers-dev"},
     "mrpt-maps": {"libmrpt-maps-dev"},
     "mrpt-obs": {"libmrpt-obs-dev"},
@@ -35,6 +36,7 @@ OF_PROGRAM = {
     "python3": {"python3"},
     "rawlog-edit": {"mrpt-apps"},
     "rawlog-grabber": {"mrpt-apps"},
+    "Xvfb": {"xvfb"},
     "sudo": set(),  # only where one is not root; looked for first
 } | {name: set() for name in "apt-get cat dirname dpkg-query env id mkdir nproc sed".split()}
 # Modules imported by the scripts in Python, beside Python's own.
