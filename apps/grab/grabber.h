@@ -1,0 +1,59 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "disk_writer.h"
+#include "sensor_setup.h"
+#include "sensor_thread.h"
+
+namespace flownav {
+
+struct GrabOptions {
+    RecordingOptions recording;
+    double duration_s = 0.0;                 ///< 0: until it is stopped or every source has ended
+    double silence_s = 10.0;                 ///< a sensor that says nothing for longer has failed; 0: it may
+    std::uint64_t queue_bytes = 256U << 20;  ///< of observations that wait for the disk
+};
+
+enum class GrabStatus {
+    Fine = 0,
+    Usage = 1,    ///< bad usage or configuration; nothing was written
+    Sensor = 2,   ///< a sensor failed; all that was captured before is in the recording
+    Output = 3,   ///< the disk failed; the recording ends before that
+    Dropped = 4,  ///< the disk was too slow, and observations were dropped
+};
+
+struct GrabResult {
+    GrabStatus status = GrabStatus::Fine;
+    std::vector<std::string> messages;  ///< what went wrong: sensor or file, and reason
+    bool hanging = false;               ///< a driver did not end; the program has to end without it
+};
+
+/// Records sensors into a rawlog until told to stop.
+class Grabber {
+  public:
+    /// Opens the recording and starts the sensors. Throws OutputError.
+    Grabber(const GrabSetup& setup, const GrabOptions& options);
+
+    /// Whether there is nothing more to record: every source has ended, something failed, the time is over.
+    bool done() const;
+
+    /// Ends the sensors, writes all that they observed, and closes the recording.
+    GrabResult finish();
+
+    WriterCounts counts() const { return writer_->counts(); }
+    std::vector<std::filesystem::path> files() const { return writer_->files(); }
+    double elapsed_s() const;
+
+  private:
+    std::string failure_of(const SensorThread& sensor) const;
+
+    GrabOptions options_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    std::shared_ptr<DiskWriter> writer_;
+    std::vector<std::unique_ptr<SensorThread>> sensors_;
+};
+
+}  // namespace flownav

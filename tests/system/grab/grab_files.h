@@ -1,0 +1,40 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "flownav/replay/rawlog_reader.h"
+
+namespace flownav::testing {
+
+/// Label and time stamp in units of 100 ns.
+using Sighting = std::pair<std::string, std::int64_t>;
+
+/// What a recording holds, in its order, and how reading it ended.
+struct Contents {
+    std::vector<Sighting> sightings;
+    ReadEnd end;
+};
+
+Contents contents_of(const std::filesystem::path& rawlog);
+
+/// What the test sensors noted.
+std::vector<Sighting> journal_of(const std::filesystem::path& journal);
+
+/// F.rawlog, F_001.rawlog, ... as far as they are there.
+std::vector<std::filesystem::path> parts_of(const std::filesystem::path& rawlog);
+
+/// Those of `all` that `some` lacks.
+std::vector<Sighting> missing(std::vector<Sighting> all, std::vector<Sighting> some);
+
+void write_text(const std::filesystem::path& file, const std::string& text);
+
+/// An ini with two test sensors, one fast and one with images, that note what they observe in `journal`.
+std::string two_sensors(const std::filesystem::path& journal);
+
+/// An empty folder for the running test.
+std::filesystem::path grab_folder();
+
+}  // namespace flownav::testing
