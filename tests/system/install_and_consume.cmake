@@ -30,6 +30,11 @@ foreach(program IN LISTS programs)
     run(${program} --version)
 endforeach()
 
+file(GLOB plugin ${prefix}/lib*/libflownav-sensor.so ${prefix}/lib/*/libflownav-sensor.so)
+if(NOT plugin)
+    message(FATAL_ERROR "libflownav-sensor.so is not installed")
+endif()
+
 # What is installed must not point back into the trees it came from.
 file(GLOB_RECURSE texts ${prefix}/*.cmake ${prefix}/*.h ${prefix}/*.ini)
 foreach(text IN LISTS texts)

@@ -1,6 +1,7 @@
 #include "flownav/producer/live_fields.h"
 
 #include <gtest/gtest.h>
+#include <mrpt/core/Clock.h>
 
 #include <fstream>
 #include <opencv2/videoio.hpp>
@@ -146,6 +147,20 @@ TEST(LiveFields, ACutVideoGivesWhatItHoldsAndSaysSo) {
     EXPECT_LE(fields, 9U);
     EXPECT_TRUE(says(live.error(), "drive.avi", "cut short"));
     EXPECT_FALSE(live.next()) << "and nothing comes later";
+}
+
+TEST(LiveFields, AStreamHasTheTimesOfItsGrabberAndFailsWhenItEnds) {
+    const fs::path video = producer_folder() / "drive.avi";
+    write_video(video, noise_images(4), 25);
+    const double before_s = mrpt::Clock::nowDouble();
+    LiveFields live(producer_settings(video_lines("async:file://" + video.string())));
+    const auto fields = all_fields(live);
+    ASSERT_EQ(fields.size(), 4U) << live.error();
+    for (const Field& field : fields) {
+        EXPECT_GE(field.timestamp_s, before_s - 1);
+        EXPECT_LE(field.timestamp_s, mrpt::Clock::nowDouble() + 1);
+    }
+    EXPECT_TRUE(says(live.error(), "after 4 images", "end of the stream"));
 }
 
 TEST(LiveFields, SourcesThatAreNotThereAreToldWithTheirName) {

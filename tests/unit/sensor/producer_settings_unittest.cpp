@@ -93,6 +93,11 @@ TEST(ProducerSettings, ValuesOutOfRangeNameKeyValueAndRange) {
         says(complaint(rawlog_lines + "camera.height_m = -1\n"), "camera.height_m", "-1", "0.01 .. 20"));
 }
 
+TEST(ProducerSettings, DecimationIsRefused) {
+    EXPECT_TRUE(says(complaint(rawlog_lines + "grab_decimation = 5\n"), "grab_decimation = 5", "allowed"));
+    EXPECT_EQ(complaint(rawlog_lines + "grab_decimation = 1\n"), "no complaint");
+}
+
 TEST(ProducerSettings, WhatTheGrabberNeedsMustBeThere) {
     EXPECT_TRUE(says(complaint(""), "grabber_type is missing"));
     EXPECT_TRUE(says(complaint("grabber_type = rawlog\n"), "rawlog_file is missing"));

@@ -45,7 +45,7 @@ void CFlowObstacleSensor::initialize() {
 
 void CFlowObstacleSensor::doProcess() {
     if (!fields_) throw std::logic_error("CFlowObstacleSensor: doProcess() before initialize()");
-    if (end_told_) return wait_and_throw();
+    if (!end_text_.empty()) return wait_and_throw();
     Batch batch;
     while (auto event = next_due()) {
         if (const auto* field = std::get_if<Field>(&*event)) {
@@ -92,18 +92,18 @@ void CFlowObstacleSensor::add(Batch& batch, const mrpt::obs::CObservation::Ptr& 
 }
 
 void CFlowObstacleSensor::end(Batch& batch) {
-    end_told_ = true;
     const std::string fields = std::to_string(fields_->counts().fields) + " fields";
-    auto comment = mrpt::obs::CObservationComment::Create();
-    comment->timestamp = mrpt::Clock::fromDouble(latest_s_);
     if (error().empty()) {
-        comment->text = settings_.source + " was read to its end: " + fields;
-        MRPT_LOG_INFO_STREAM(comment->text);
+        end_text_ = settings_.source + " was read to its end: " + fields;
+        MRPT_LOG_INFO_STREAM(end_text_);
     } else {
         m_state = ssError;
-        comment->text = "the input failed after " + fields + ": " + error();
-        MRPT_LOG_ERROR_STREAM(comment->text);
+        end_text_ = "the input failed after " + fields + ": " + error();
+        MRPT_LOG_ERROR_STREAM(end_text_);
     }
+    auto comment = mrpt::obs::CObservationComment::Create();
+    comment->timestamp = mrpt::Clock::fromDouble(latest_s_);
+    comment->text = end_text_;
     add(batch, comment, "_END");
 }
 
@@ -111,8 +111,8 @@ void CFlowObstacleSensor::wait_and_throw() {
     calls_since_end_ += 1.0;
     if (calls_since_end_ < settings_.end_wait_s * m_process_rate) return;
     m_state = ssError;
-    if (!error().empty()) throw InputError(error());
-    throw EndOfInput("the end of " + settings_.source);
+    if (!error().empty()) throw InputError(end_text_);
+    throw EndOfInput(end_text_);
 }
 
 }  // namespace flownav

@@ -4,6 +4,7 @@
 #include <mrpt/io/vector_loadsave.h>
 #include <mrpt/system/string_utils.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <vector>
 
@@ -28,10 +29,17 @@ std::vector<std::string> keys_of(const CConfigFileBase& ini, const std::string& 
     return keys;
 }
 
+/// MRPT would thin out the observations of whole cycles.
+void refuse_decimation(const std::string& key, const std::string& value) {
+    if (lowerCase(key) != "grab_decimation" || value == "0" || value == "1") return;
+    throw ConfigError("grab_decimation = " + value +
+                      ": every field is needed; thin out the recording instead (allowed: 0 or 1)");
+}
+
 void set_key(ProducerSettings& settings, const std::string& key, const std::string& value) {
     switch (producer::owner_of(key)) {
         case KeyOwner::Grabber:
-            return;
+            return refuse_decimation(key, value);
         case KeyOwner::Camera:
             settings.camera_keys[lowerCase(key)] = value;
             return;
@@ -84,17 +92,16 @@ ProducerSettings read(const CConfigFileBase& ini, const std::string& section) {
 std::string only_section(const CConfigFileBase& ini, const std::string& file) {
     std::vector<std::string> sections;
     ini.getAllSections(sections);
-    std::string found;
-    for (const std::string& section : sections) {
-        if (text_of(ini, section, "driver") != "CFlowObstacleSensor") continue;
-        if (!found.empty()) {
-            throw ConfigError(file + ": both [" + found + "] and [" + section +
-                              "] have driver = CFlowObstacleSensor; name one of them");
-        }
-        found = section;
+    const auto other_driver = [&](const std::string& section) {
+        return text_of(ini, section, "driver") != "CFlowObstacleSensor";
+    };
+    sections.erase(std::remove_if(sections.begin(), sections.end(), other_driver), sections.end());
+    if (sections.empty()) throw ConfigError(file + ": no section has driver = CFlowObstacleSensor");
+    if (sections.size() > 1) {
+        throw ConfigError(file + ": both " + sections[0] + " and " + sections[1] +
+                          " have driver = CFlowObstacleSensor; name one of them");
     }
-    if (found.empty()) throw ConfigError(file + ": no section has driver = CFlowObstacleSensor");
-    return found;
+    return sections.front();
 }
 
 }  // namespace

@@ -20,24 +20,25 @@ struct EndOfInput : std::runtime_error {
 
 /// The optic-flow obstacle sensor as a driver of MRPT: `rawlog-grabber -p libflownav-sensor.so grabber.ini`.
 /// For every field an odometry FLOW_ODOMETRY, and at the end of a cycle a scan FLOW_SCAN and the points
-/// FLOW_POINTS. A section of the ini:
+/// FLOW_POINTS. Keys of its section of the ini (share/grabber.ini is an example):
 ///
-///     [FLOW]
-///     driver       = CFlowObstacleSensor
-///     process_rate = 100                 // calls a second; each call evaluates one field at most
-///     grabber_type = opencv              // opencv | ffmpeg | image_dir | rawlog | ..., as in CCameraSensor,
-///     cv_camera_index = 0                // ... with all of its keys, the pose of the camera (pose_z, ...)
-///     too flownav_config = my_robot.ini      // optional: the ini of flownav-replay camera.height_m = 0.62
-///     // optional: any key of that ini, as in its --set label_prefix = FLOW                // of the labels
-///     of all that is published publish_image = false              // the fields too, with their calibration,
-///     under camera.camera_label use_odometry = true                // rawlog: its ODOMETRY comes along paced
-///     = false               // files: in the time of the recording, not as fast as called rate_hz      = 25
-///     // video, folder: images a second; a video tells its own start_time_s = 0                   // video,
-///     folder: time of the first image, seconds since the epoch end_wait_s   = 5                   // files:
-///     from the last observation to the exception that ends all
+///     driver         CFlowObstacleSensor
+///     process_rate   calls a second, more than there are fields; each evaluates one at most
+///     grabber_type   opencv, ffmpeg, image_dir, rawlog, ...: as in CCameraSensor, with all keys of that,
+///                    the pose of the camera (pose_z, ...) too
+///     flownav_config an ini of flownav-replay; optional
+///     camera.height_m and any other key of such an ini, as in --set; optional
+///     label_prefix   of the labels of all that is published: FLOW
+///     publish_image  the fields too, with their calibration, under camera.camera_label: false
+///     use_odometry   the ODOMETRY of a rawlog comes along: true
+///     paced          files in the time of the recording, not as fast as called: false
+///     rate_hz        images of a video or folder a second; a video tells its own
+///     start_time_s   of the first image of a video or folder, since the epoch: 0
+///     end_wait_s     from the end of a file to the exception that ends all: 5
 ///
 /// Time stamps: live cameras and streams, the grabber's; rawlogs, the recorded ones; videos and folders,
-/// start_time_s + i / rate_hz. An unknown key is an error.
+/// start_time_s + i / rate_hz. Of stereo pairs in a folder the left images are used. Images are published
+/// embedded, never as external files. An unknown key is an error, and so is grab_decimation > 1.
 ///
 /// At the end of its input the sensor appends a CObservationComment that says which end it was. When the
 /// input failed (device gone, damaged file) the state is ssError at once, with a message in the log. After
@@ -81,7 +82,7 @@ class CFlowObstacleSensor : public mrpt::system::COutputLogger, public mrpt::hwd
     std::optional<double> clock_offset_s_;  ///< clock - time stamp, when paced
     double latest_s_ = 0.0;                 ///< time stamp of what was read last
     double calls_since_end_ = 0.0;
-    bool end_told_ = false;
+    std::string end_text_;  ///< which end the input had; empty before it
 };
 
 }  // namespace flownav
