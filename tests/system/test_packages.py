@@ -26,12 +26,16 @@ OF_PACKAGE = {
     "ZLIB": {"zlib1g-dev"},
     "flownav": set(),  # the consumer's: ourselves
 }
-# Programs called by scripts, by find_program() and by ctest. Every Debian has those of no package here.
+# Programs called by scripts, by find_program() and by ctest, and files that find_file() finds. Every Debian has those of no package here.
 OF_PROGRAM = {
     "ccache": {"ccache"},
+    "chromedriver": {"chromium-driver"},
+    "chromium": {"chromium"},
     "clang-tidy": set(),  # of the preset `tidy` only, for those who develop
     "cmake": {"cmake", "ninja-build"},  # every preset uses Ninja
     "ctest": {"cmake"},
+    "dygraph.min.css": {"libjs-dygraphs"},
+    "dygraph.min.js": {"libjs-dygraphs"},
     "g++": {"build-essential"},
     "python3": {"python3"},
     "rawlog-edit": {"mrpt-apps"},
@@ -40,7 +44,7 @@ OF_PROGRAM = {
     "sudo": set(),  # only where one is not root; looked for first
 } | {name: set() for name in "apt-get cat dirname dpkg-query env id mkdir nproc sed".split()}
 # Modules imported by the scripts in Python, beside Python's own.
-OF_MODULE = {"numpy": {"python3-numpy"}, "cv2": {"python3-opencv"}}
+OF_MODULE = {"numpy": {"python3-numpy"}, "cv2": {"python3-opencv"}, "selenium": {"python3-selenium"}}
 # Folders of the system that the tests read.
 OF_FOLDER = {"/usr/share/mrpt": {"mrpt-common"}}
 
@@ -56,10 +60,10 @@ def packages_listed(text):
 
 
 def cmake_needs(text):
-    """(names of packages, names of programs) that a CMake file looks for."""
+    """(names of packages, names of programs and files) that a CMake file looks for."""
     code = re.sub(r"#.*", "", text)
     packages = set(re.findall(r"\bfind_(?:package|dependency)\(\s*([\w-]+)", code))
-    programs = set(re.findall(r"\bfind_program\(\s*\w+\s+(?:NAMES\s+)?([\w+-]+)", code))
+    programs = set(re.findall(r"\bfind_(?:program|file)\(\s*\w+\s+(?:NAMES\s+)?([\w.+-]+)", code))
     return packages, programs
 
 
@@ -167,8 +171,8 @@ END
         self.assertEqual(programs_called(script), set(expected))
 
     def test_what_cmake_looks_for_is_found(self):
-        text = "# find_package(no)\nfind_package(GTest REQUIRED)\nfind_program(X\n  rawlog-edit REQUIRED)"
-        self.assertEqual(cmake_needs(text), ({"GTest"}, {"rawlog-edit"}))
+        text = "# find_package(no)\nfind_package(GTest REQUIRED)\nfind_program(X\n  rawlog-edit REQUIRED)\nfind_file(Y a.min.js)"
+        self.assertEqual(cmake_needs(text), ({"GTest"}, {"rawlog-edit", "a.min.js"}))
 
 
 if __name__ == "__main__":

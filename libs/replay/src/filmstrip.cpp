@@ -1,5 +1,7 @@
 #include "flownav/replay/filmstrip.h"
 
+#include <algorithm>
+#include <cmath>
 #include <opencv2/imgcodecs.hpp>
 
 #include "flownav/replay/annotated_field.h"
@@ -9,11 +11,13 @@ namespace flownav {
 
 namespace {
 
-constexpr double width_px = 720.0;
+constexpr double area_px = 720.0 * 540.0;
+constexpr double widest_px = 1100.0;
 constexpr int jpeg_quality = 70;
 
 std::vector<std::uint8_t> jpeg_of(const Field& field, const pipeline::Step& step) {
-    const double zoom = width_px / field.image.width_px;
+    const double tall = field.image.height_px * pixel_aspect(field) / field.image.width_px;
+    const double zoom = std::min(widest_px, std::sqrt(area_px / tall)) / field.image.width_px;
     const cv::Mat picture = marked_field(field, step, {zoom, zoom * pixel_aspect(field)});
     std::vector<std::uint8_t> bytes;
     cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, jpeg_quality});

@@ -30,6 +30,9 @@
         return value.toFixed(Number.isInteger(value) ? 0 : size >= 100 ? 1 : size >= 1 ? 2 : 3);
     }
 
+    /** A label of an axis: no exponents, no noise of binary fractions. */
+    const tick = (value) => String(Number(value.toPrecision(8)));
+
     // ---- the moment shown
 
     const duration = Math.max(...data.tracks[0].t);
@@ -99,7 +102,7 @@
 
     function legendOf(chart) {
         return (shown) => shown.series.map((s) => {
-            const value = shown.x === undefined ? '' : ' <b>' + text(s.y) + '</b>';
+            const value = shown.x === undefined ? '' : '<b>' + text(s.y) + '</b>';
             const look = chart.series.find((one) => one.name === s.label);
             const line = look.dashed ? 'dashed' : 'solid';
             const mark = chart.stacked ? `<i style="background:${look.colour}"></i>`
@@ -119,9 +122,11 @@
         return {
             labels: ['t', ...chart.series.map((s) => s.name)], series,
             labelsDiv: labels, legend: 'always', legendFormatter: legendOf(chart),
-            xlabel: 'time since the first field (s)', ylabel: chart.axis || chart.unit || ' ',
+            xlabel: 'time since the first field (s)', ylabel: chart.unit ? `${chart.quantity} (${chart.unit})` : chart.quantity || ' ',
             xLabelHeight: 16, yLabelWidth: 18, axisLabelFontSize: 12, axisLineColor: '#555', gridLineColor: '#e4e4e4',
-            axes: {y: {axisLabelWidth: 52, includeZero: chart.fromZero}, x: {axisLabelWidth: 44}},
+            axes: {y: {axisLabelWidth: 52, includeZero: chart.fromZero, axisLabelFormatter: tick},
+                x: {axisLabelWidth: 44, axisLabelFormatter: tick}},
+            dateWindow: [0, duration],
             valueRange: leastRange(chart), yRangePad: 6, hideOverlayOnMouseOut: false,
             stackedGraph: chart.stacked, stackedGraphNaNFill: 'none', fillAlpha: 0.75,
             highlightCallback: (event, t) => hover(t),
@@ -131,6 +136,7 @@
     }
 
     function addChart(chart, parent, more = {}) {
+        if (!chart.t.length) return;
         const labels = element('div', {className: 'legend'});
         const plot = element('div', {className: 'plot'});
         const cursor = element('div', {className: 'cursor'});
@@ -164,7 +170,7 @@
 
     function addStatus(parent) {
         const chart = {
-            id: 'status', title: 'Status', unit: '', stacked: false, leastSpan: 1, t: data.tracks[0].t,
+            id: 'status', title: 'Status', quantity: '', unit: '', stacked: false, leastSpan: 1, t: data.tracks[0].t,
             note: 'Green: the motion was measured. What the others mean stands in the table of statuses below.',
             series: [{name: 'status', colour: 'transparent', width: 0.1, values: data.tracks[0].t.map(() => 0)}],
         };
@@ -184,7 +190,8 @@
         }).join('');
         addChart(chart, parent, {height: 74, options: {
             underlayCallback: paint, legendFormatter: legend, valueRange: [0, 1],
-            axes: {y: {axisLabelWidth: 52, ticker: () => [], drawGrid: false}, x: {axisLabelWidth: 44}},
+            axes: {y: {axisLabelWidth: 52, ticker: () => [], drawGrid: false},
+                x: {axisLabelWidth: 44, axisLabelFormatter: tick}},
         }});
     }
 
@@ -281,7 +288,8 @@
             pen.fillStyle = 'rgb(128,128,128)';
             pen.fillRect(at.left, at.top, at.inner, at.tall);
             if (!this.image.complete) return;
-            pen.imageSmoothingEnabled = false;
+            pen.imageSmoothingEnabled = this.map.cell * at.scale < 1;
+            pen.imageSmoothingQuality = 'high';
             const {x, y, columns, rows, cell} = this.map;
             pen.drawImage(this.image, at.u(x), at.v(y + rows * cell), columns * cell * at.scale, rows * cell * at.scale);
         }
@@ -352,6 +360,12 @@
             pen.rect(u1 - 5, v1 - 5, 10, 10);
             pen.fill();
             pen.stroke();
+            if (this.map) return;
+            pen.fillStyle = '#111';
+            pen.textAlign = u0 < at.left + at.inner / 2 ? 'left' : 'right';
+            pen.fillText('start', u0 + (pen.textAlign === 'left' ? 10 : -10), Math.min(v0 + 17, at.top + at.tall - 4));
+            pen.textAlign = u1 < at.left + at.inner / 2 ? 'left' : 'right';
+            pen.fillText('end', u1 + (pen.textAlign === 'left' ? 10 : -10), Math.max(v1 - 9, at.top + 14));
         }
 
         drawMoment(pen, at, t) {
@@ -403,7 +417,7 @@
             legend.replaceChildren(...data.tracks.map((track) => {
                 const i = nearest(track.t, t), line = element('u', {});
                 line.style.borderTop = `${Math.min(track.width + 1, 5)}px ${track.dashed ? 'dashed' : 'solid'} ${track.colour}`;
-                const where = element('b', {textContent: ` ${text(track.x[i])}, ${text(track.y[i])}`});
+                const where = element('b', {textContent: `x ${text(track.x[i])}, y ${text(track.y[i])}`});
                 return element('span', {}, line, track.name, where);
             }), element('span', {className: 'unit', textContent: 'm'}));
         };
@@ -487,7 +501,7 @@
         const series = stages.map(([name, colour]) => ({
             name, colour, dashed: false, width: 1, connected: false, values: timing.per_field[name + '_ms']}));
         if (!byId('chart-timing')) {
-            addChart({id: 'timing', title: 'Time per field', unit: 'ms', stacked: true, fromZero: true, leastSpan: 0,
+            addChart({id: 'timing', title: 'Time per field', quantity: 'time', unit: 'ms', stacked: true, fromZero: true, leastSpan: 0,
                 note: 'Stacked; means over short stretches of the drive.', t: timing.per_field.t_s, series}, place);
         }
         const fields = timing.fields_per_s * timing.total_s;

@@ -34,19 +34,20 @@ Json rounded_all(const Values& values, int decimals) {
     return array;
 }
 
-Json series_json(const ReportSeries& series) {
+Json series_json(const ReportSeries& series, int decimals) {
     Json values = Json::array();
     for (const double value : series.values)
-        values.push_back(value == ReportSeries::gap ? Json(false) : rounded(value, 3));
+        values.push_back(value == ReportSeries::gap ? Json(false) : rounded(value, decimals));
     return {{"name", series.name},      {"colour", series.colour},       {"dashed", series.dashed},
             {"width", series.width_px}, {"connected", series.connected}, {"values", std::move(values)}};
 }
 
 Json chart_json(const ReportChart& chart) {
     Json series = Json::array();
-    for (const ReportSeries& one : chart.series) series.push_back(series_json(one));
+    for (const ReportSeries& one : chart.series) series.push_back(series_json(one, chart.decimals));
     return {{"id", chart.id},
             {"title", chart.title},
+            {"quantity", chart.quantity},
             {"unit", chart.unit},
             {"note", chart.note},
             {"stacked", chart.stacked},

@@ -29,11 +29,12 @@ ReportSeries series_of(ReportSeries look, const Drive& drive, const Value& value
     return look;
 }
 
-ReportChart chart_of(const Drive& drive, const char* id, const char* title, const char* unit,
-                     const char* note) {
+ReportChart chart_of(const Drive& drive, const char* id, const char* title, const char* quantity,
+                     const char* unit, const char* note) {
     ReportChart chart;
     chart.id = id;
     chart.title = title;
+    chart.quantity = quantity;
     chart.unit = unit;
     chart.note = note;
     for (const FieldRow& row : drive.rows)
@@ -64,8 +65,8 @@ void add_rates(ReportChart& chart, const Drive& drive, double (*component)(const
 }
 
 ReportChart turn_chart(const Drive& drive) {
-    ReportChart chart =
-        chart_of(drive, "turn", "Turn rate", "deg/s", "Positive: to the left. Measured with every field.");
+    ReportChart chart = chart_of(drive, "turn", "Turn rate", "turn rate", "deg/s",
+                                 "Positive: to the left. Measured with every field.");
     chart.least_span = 2.0;
     const auto measured = [](const FieldRow& row) -> std::optional<double> {
         if (row.status != FieldStatus::Ok) return std::nullopt;
@@ -77,7 +78,7 @@ ReportChart turn_chart(const Drive& drive) {
 }
 
 ReportChart speed_chart(const Drive& drive) {
-    ReportChart chart = chart_of(drive, "speed", "Forward speed", "m/s",
+    ReportChart chart = chart_of(drive, "speed", "Forward speed", "speed", "m/s",
                                  "By flow: the mean of each cycle that measured it, at the cycle's end.");
     chart.from_zero = true;
     chart.least_span = 0.1;
@@ -95,8 +96,8 @@ ReportChart speed_chart(const Drive& drive) {
 }
 
 ReportChart heading_chart(const Drive& drive) {
-    ReportChart chart =
-        chart_of(drive, "heading", "Heading", "deg", "Since the first field. Positive: turned left.");
+    ReportChart chart = chart_of(drive, "heading", "Heading", "heading", "deg",
+                                 "Since the first field. Positive: turned left.");
     chart.least_span = 2.0;
     for (ReportTrack& track : report_tracks(drive)) {
         double unwrapped_rad = 0.0;
@@ -111,10 +112,11 @@ ReportChart heading_chart(const Drive& drive) {
 }
 
 ReportChart distance_chart(const Drive& drive) {
-    ReportChart chart = chart_of(drive, "distance", "Distance from the ground truth", "m",
-                                 "Both from their pose at the first field on.");
+    ReportChart chart = chart_of(drive, "distance", "Distance from the ground truth", "distance", "m",
+                                 "From the pose of the first field on.");
     chart.from_zero = true;
     chart.least_span = 0.01;
+    chart.decimals = 5;
     const auto tracks = report_tracks(drive);
     for (std::size_t k = 1; k < tracks.size(); ++k) {
         ReportSeries series = tracks[k].look;
@@ -129,31 +131,36 @@ ReportChart distance_chart(const Drive& drive) {
     return chart;
 }
 
-bool was_compared(const FieldRow& row) {
-    return row.status != FieldStatus::Waiting && row.status != FieldStatus::BadField;
+bool is_measured(const FieldRow& row) {
+    return row.status == FieldStatus::Ok;
 }
 
+/// Fates are final at the end of a cycle only: one time a cycle, and gaps where there was none.
 ReportChart fates_chart(const Drive& drive) {
-    ReportChart chart =
-        chart_of(drive, "fates", "Blocks by fate", "blocks",
-                 "Stacked. What the vectors of the running cycle were found to be, after each field.");
+    ReportChart chart;
+    chart.id = "fates";
+    chart.title = "Blocks by fate";
+    chart.quantity = "blocks";
+    chart.note = "Stacked, at the end of each cycle: what the vectors of the cycle were found to be.";
     chart.stacked = true;
     chart.from_zero = true;
-    for (const FateStyle& style : fate_styles()) {
-        const auto count =
-            [fate = static_cast<std::size_t>(style.fate)](const FieldRow& row) -> std::optional<double> {
-            if (!was_compared(row)) return std::nullopt;
-            return row.fates.at(fate);
-        };
-        chart.series.push_back(
-            series_of({style.label, css_colour(style), false, 1.0, false, {}}, drive, count));
+    for (const FateStyle& style : fate_styles())
+        chart.series.push_back({style.label, css_colour(style), false, 1.0, false, {}});
+    for (const FieldRow& row : drive.rows) {
+        const bool is_border = &row == &drive.rows.front() || &row == &drive.rows.back();
+        if (!row.end_of_cycle && is_measured(row) && !is_border) continue;
+        chart.t_s.push_back(row.timestamp_s - drive.rows.front().timestamp_s);
+        for (std::size_t k = 0; k < chart.series.size(); ++k) {
+            const auto fate = static_cast<std::size_t>(fate_styles().at(k).fate);
+            chart.series[k].values.push_back(row.end_of_cycle ? row.fates.at(fate) : ReportSeries::gap);
+        }
     }
     return chart;
 }
 
 ReportChart counts_chart(const Drive& drive) {
     ReportChart chart =
-        chart_of(drive, "counts", "How far the blocks got", "count",
+        chart_of(drive, "counts", "How far the blocks got", "count", "",
                  "Per field; obstacle points once a cycle. Few confident blocks: little texture, or blur.");
     chart.from_zero = true;
     chart.least_span = 10.0;

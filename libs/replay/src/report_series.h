@@ -25,10 +25,12 @@ struct ReportSeries {
 struct ReportChart {
     std::string id;
     std::string title;
-    std::string unit;
-    std::string note;  ///< for people
+    std::string quantity;  ///< for the axis
+    std::string unit;      ///< empty for counts
+    std::string note;      ///< for people
     bool stacked = false;
     bool from_zero = false;
+    int decimals = 3;
     double least_span = 0.0;  ///< of the values, so that noise about a constant does not fill the chart
     std::vector<double> t_s;  ///< since the first field
     std::vector<ReportSeries> series;

@@ -113,7 +113,10 @@ TEST(Report, ChartsHoldFlowOdometryAndTruthOverTime) {
     EXPECT_NEAR(series_of(chart_of(data, "turn"), "ground truth")[30].get<double>(), 11.459, 2e-3);
     EXPECT_NEAR(series_of(chart_of(data, "speed"), "flow")[4].get<double>(), 0.4, 1e-3);
     EXPECT_TRUE(series_of(chart_of(data, "speed"), "flow")[5].is_null()) << "measured at ends of cycles only";
-    EXPECT_EQ(series_of(chart_of(data, "fates"), "obstacle")[30], 1);
+    const json fates = chart_of(data, "fates");
+    EXPECT_EQ(fates["t"][1], 0.16) << "once a cycle";
+    EXPECT_EQ(series_of(fates, "obstacle")[1], 1);
+    EXPECT_EQ(series_of(fates, "obstacle")[0], false);
     EXPECT_EQ(series_of(chart_of(data, "distance"), "flow")[59], 0);
     EXPECT_EQ(data["tracks"].size(), 3U);
     EXPECT_EQ(data["pictures"].size(), count_of(report_of(sample_drive(60)), "<figure><img"));
