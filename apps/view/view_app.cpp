@@ -80,11 +80,26 @@ cv::Size size_of(const std::string& text) {
     return {static_cast<int>(width), static_cast<int>(height)};
 }
 
+/// Throws ConfigError: none, several, an unknown option, or nothing that can be read.
+std::string only_input(const std::vector<std::string>& inputs) {
+    if (inputs.empty()) throw ConfigError("needs FILE.rawlog; try flownav-view --help");
+    for (const std::string& input : inputs) {
+        if (input.rfind('-', 0) == 0)
+            throw ConfigError("unknown argument " + input + "; try flownav-view --help");
+    }
+    if (inputs.size() > 1) throw ConfigError("shows one rawlog at a time, not also " + inputs[1]);
+    std::error_code problem;
+    if (!std::filesystem::exists(inputs[0], problem)) throw ConfigError(inputs[0] + ": no such file");
+    if (std::filesystem::is_directory(inputs[0], problem))
+        throw ConfigError(inputs[0] + ": is a folder, not a rawlog");
+    return inputs[0];
+}
+
 std::optional<ViewCommand> parse(const std::vector<std::string>& arguments, std::ostream& out,
                                  std::ostream& error) {
     TCLAP::CmdLine command("", ' ', version());
     CommandOutput output(command, "flownav-view", help, out, error);
-    TCLAP::UnlabeledValueArg<std::string> input("input", "", false, "", "FILE.rawlog", command);
+    TCLAP::UnlabeledMultiArg<std::string> inputs("input", "", false, "FILE.rawlog", command);
     TCLAP::ValueArg<std::string> file("", "config", "", false, "", "FILE.ini", command);
     TCLAP::MultiArg<std::string> settings("", "set", "", false, "section.key=value", command);
     TCLAP::ValueArg<std::string> screenshot("", "screenshot", "", false, "", "F.png", command);
@@ -100,15 +115,9 @@ std::optional<ViewCommand> parse(const std::vector<std::string>& arguments, std:
         if (output.failed()) throw ConfigError("");
         return std::nullopt;
     }
-    if (input.getValue().rfind('-', 0) == 0) throw ConfigError("unknown argument " + input.getValue());
-    if (!input.isSet()) throw ConfigError("needs FILE.rawlog; try flownav-view --help");
-    std::error_code problem;
-    if (!std::filesystem::exists(input.getValue(), problem))
-        throw ConfigError(input.getValue() + ": no such file");
-    if (std::filesystem::is_directory(input.getValue(), problem))
-        throw ConfigError(input.getValue() + ": is a folder, not a rawlog");
+    const std::string input = only_input(inputs.getValue());
     ViewCommand result;
-    result.options.input = input.getValue();
+    result.options.input = input;
     result.options.config = configuration(file.getValue(), settings.getValue());
     result.options.follow = follow.getValue();
     result.size = size_of(size.getValue());

@@ -1,0 +1,66 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "drives.h"
+#include "flownav/replay/field_source.h"
+#include "flownav/sensor/make_state.h"
+#include "rawlog_files.h"
+#include "view_model.h"
+
+namespace flownav::testing {
+
+inline const std::filesystem::path& corridor() {
+    static const std::filesystem::path file = FLOWNAV_CORRIDOR;
+    return file;
+}
+
+/// A drive with obstacles whose background works only when it is asked to.
+inline view::ViewOptions view_options(const std::filesystem::path& file = corridor()) {
+    view::ViewOptions options;
+    options.input = file;
+    options.way = view::Scout::Way::Asked;
+    return options;
+}
+
+/// Everything the background can find has been found.
+inline void finish(view::ViewModel& model) {
+    while (model.work(1000)) {
+    }
+    model.poll();
+}
+
+/// The records of flownav-replay: one after the other through one pipeline.
+inline std::vector<pipeline::Step> straight_run(const std::filesystem::path& file,
+                                                const Config& config = {}) {
+    RawlogReader reader(file);
+    FieldSource source(reader, config.camera);
+    pipeline::State state = make_state(config);
+    std::vector<pipeline::Step> steps;
+    while (const auto event = source.next()) {
+        if (const auto* field = std::get_if<Field>(&*event)) steps.push_back(pipeline::step(state, *field));
+    }
+    return steps;
+}
+
+inline std::string bytes_of_file(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream bytes;
+    bytes << stream.rdbuf();
+    return bytes.str();
+}
+
+/// The first part of the corridor, cut inside an object.
+inline std::filesystem::path cut_corridor(double share) {
+    const auto file = test_folder() / "cut.rawlog";
+    const std::string all = bytes_of_file(corridor());
+    write_bytes(file, all.substr(0, static_cast<std::size_t>(share * static_cast<double>(all.size()))));
+    return file;
+}
+
+}  // namespace flownav::testing
