@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "flownav/replay/annotated_field.h"
 #include "flownav/replay/field_drawing.h"
@@ -11,27 +12,47 @@ namespace flownav {
 
 namespace {
 
-constexpr double area_px = 720.0 * 540.0;
-constexpr double widest_px = 1100.0;
-constexpr int jpeg_quality = 70;
+struct Look {
+    double area_px;
+    double widest_px;
+    int jpeg_quality;
+};
+constexpr Look large_look = {720.0 * 540.0, 1100.0, 70};
+constexpr Look small_look = {640.0 * 480.0, 980.0, 55};
 
-std::vector<std::uint8_t> jpeg_of(const Field& field, const pipeline::Step& step) {
-    const double tall = field.image.height_px * pixel_aspect(field) / field.image.width_px;
-    const double zoom = std::min(widest_px, std::sqrt(area_px / tall)) / field.image.width_px;
-    const cv::Mat picture = marked_field(field, step, {zoom, zoom * pixel_aspect(field)});
+/// Of a picture that is `tall` times as high as wide.
+double width_px(const Look& look, double tall) {
+    return std::min(look.widest_px, std::sqrt(look.area_px / tall));
+}
+
+std::vector<std::uint8_t> encoded(const cv::Mat& picture, const Look& look) {
     std::vector<std::uint8_t> bytes;
-    cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, jpeg_quality});
+    cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, look.jpeg_quality});
     return bytes;
 }
 
-Filmstrip::Picture picture_of(const Field& field, const pipeline::Step& step) {
+std::vector<std::uint8_t> jpeg_of(const Field& field, const pipeline::Step& step, const Look& look) {
+    const double aspect = pixel_aspect(field);
+    const double tall = field.image.height_px * aspect / field.image.width_px;
+    const double zoom = width_px(look, tall) / field.image.width_px;
+    return encoded(marked_field(field, step, {zoom, zoom * aspect}), look);
+}
+
+std::vector<std::uint8_t> shrunk(const std::vector<std::uint8_t>& jpeg) {
+    cv::Mat picture = cv::imdecode(jpeg, cv::IMREAD_COLOR);
+    const double zoom = width_px(small_look, 1.0 * picture.rows / picture.cols) / picture.cols;
+    cv::resize(picture, picture, {}, zoom, zoom, cv::INTER_AREA);
+    return encoded(picture, small_look);
+}
+
+Filmstrip::Picture picture_of(const Field& field, const pipeline::Step& step, const Look& look) {
     Filmstrip::Picture picture;
     picture.timestamp_s = step.timestamp_s;
     picture.fates = fates_of(step);
     for (const ObstaclePoint& point : step.obstacles)
         picture.points_m.push_back(
             transform(step.T_start_robot, Eigen::Vector2d(point.position_m.head<2>())));
-    picture.jpeg = jpeg_of(field, step);
+    picture.jpeg = jpeg_of(field, step, look);
     return picture;
 }
 
@@ -52,10 +73,27 @@ void Filmstrip::offer(const Field& field, const pipeline::Step& step) {
         bytes_ = 0;
         has_better_than_first_ = true;
     }
-    pictures_.push_back(picture_of(field, step));
+    pictures_.push_back(picture_of(field, step, small_ ? small_look : large_look));
     bytes_ += pictures_.back().jpeg.size();
     due_s_ = step.timestamp_s + (first ? 0.0 : interval_s_);
-    while (bytes_ > most_bytes && pictures_.size() > 1) thin_out();
+    while (bytes_ > most_bytes && pictures_.size() > 1) make_room();
+}
+
+void Filmstrip::make_room() {
+    if (small_) {
+        thin_out();
+    } else {
+        shrink();
+    }
+}
+
+void Filmstrip::shrink() {
+    small_ = true;
+    bytes_ = 0;
+    for (Picture& picture : pictures_) {
+        picture.jpeg = shrunk(picture.jpeg);
+        bytes_ += picture.jpeg.size();
+    }
 }
 
 /// Every second one goes, and from now on they come half as often.

@@ -1,6 +1,7 @@
 #include "flownav/replay/report.h"
 
-#include <cmath>
+#include <algorithm>
+#include <functional>
 
 #include "data_uri.h"
 #include "flownav/core/version.h"
@@ -25,10 +26,25 @@ std::string short_facts(const Drive& drive) {
     const double duration_s = drive.rows.back().timestamp_s - drive.rows.front().timestamp_s;
     const std::uint64_t ok = status_counts(drive.rows).front();
     const double ok_percent = 100.0 * static_cast<double>(ok) / static_cast<double>(drive.rows.size());
-    return html::paragraph(std::to_string(drive.rows.size()) + " fields over " + fixed_text(duration_s, 2) +
-                           " s; the motion was measured in " + fixed_text(ok_percent, 1) + " % of them. " +
-                           std::to_string(drive.written.cycles) + " finished cycles gave " +
-                           std::to_string(drive.written.obstacle_points) + " obstacle points.");
+    const auto cycles = [&drive](bool FieldRow::*member) {
+        return std::count_if(drive.rows.begin(), drive.rows.end(), std::mem_fn(member));
+    };
+    const auto finished = cycles(&FieldRow::end_of_cycle);
+    const auto with_speed = cycles(&FieldRow::v_measured);
+    std::string html = html::paragraph(
+        std::to_string(drive.rows.size()) + " fields over " + fixed_text(duration_s, 2) +
+        " s; the turn rate was measured in " + fixed_text(ok_percent, 1) + " % of them, the speed in " +
+        std::to_string(with_speed) + " of " + std::to_string(finished) + " finished cycles, which gave " +
+        std::to_string(drive.written.obstacle_points) + " obstacle points.");
+    if (ok_percent < 50.0)
+        html += box(false,
+                    "The motion is not known for most of the drive: the table of statuses below says why.");
+    if (2 * with_speed < finished)
+        html +=
+            box(false,
+                "The speed was not measured in most cycles, so way and distances are not to be trusted: the "
+                "floor near the robot shows too little texture, or the robot hardly moved.");
+    return html;
 }
 
 std::string beginning(const Drive& drive) {

@@ -301,7 +301,7 @@
         }
 
         lines(at) {
-            const step = niceStep(70 / at.scale);
+            const step = niceStep(Math.max(35, Math.min(70, at.tall / 3)) / at.scale);
             return {step, x: this.ticks(at.x0, at.inner / at.scale, step), y: this.ticks(at.y0, at.tall / at.scale, step)};
         }
 
@@ -424,7 +424,7 @@
         new Plan(byId('way'), {tracks: data.tracks, legend: describe});
         const flow = data.tracks.filter((track) => track.name === 'flow');
         if (data.map) new Plan(byId('map'), {map: data.map, tracks: flow});
-        else byId('map').replaceWith(element('p', {textContent: 'Nothing was mapped.'}));
+        else byId('map').parentElement.replaceWith(element('p', {textContent: 'Nothing was mapped.'}));
     }
 
     // ---- the pictures

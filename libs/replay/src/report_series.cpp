@@ -1,6 +1,5 @@
 #include "report_series.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -131,51 +130,58 @@ ReportChart distance_chart(const Drive& drive) {
     return chart;
 }
 
-bool is_measured(const FieldRow& row) {
-    return row.status == FieldStatus::Ok;
+/// A chart with a time for the end of each cycle and for each field without motion: within a cycle the counts
+/// rise and fall, which hides what they tell. The first and the last field are there always.
+ReportChart chart_of_cycles(const Drive& drive, std::vector<const FieldRow*>& shown) {
+    ReportChart chart;
+    chart.from_zero = true;
+    for (const FieldRow& row : drive.rows) {
+        const bool is_border = &row == &drive.rows.front() || &row == &drive.rows.back();
+        if (!row.end_of_cycle && row.status == FieldStatus::Ok && !is_border) continue;
+        chart.t_s.push_back(row.timestamp_s - drive.rows.front().timestamp_s);
+        shown.push_back(&row);
+    }
+    return chart;
 }
 
-/// Fates are final at the end of a cycle only: one time a cycle, and gaps where there was none.
 ReportChart fates_chart(const Drive& drive) {
-    ReportChart chart;
+    std::vector<const FieldRow*> shown;
+    ReportChart chart = chart_of_cycles(drive, shown);
     chart.id = "fates";
     chart.title = "Blocks by fate";
     chart.quantity = "blocks";
     chart.note = "Stacked, at the end of each cycle: what the vectors of the cycle were found to be.";
     chart.stacked = true;
-    chart.from_zero = true;
-    for (const FateStyle& style : fate_styles())
-        chart.series.push_back({style.label, css_colour(style), false, 1.0, false, {}});
-    for (const FieldRow& row : drive.rows) {
-        const bool is_border = &row == &drive.rows.front() || &row == &drive.rows.back();
-        if (!row.end_of_cycle && is_measured(row) && !is_border) continue;
-        chart.t_s.push_back(row.timestamp_s - drive.rows.front().timestamp_s);
-        for (std::size_t k = 0; k < chart.series.size(); ++k) {
-            const auto fate = static_cast<std::size_t>(fate_styles().at(k).fate);
-            chart.series[k].values.push_back(row.end_of_cycle ? row.fates.at(fate) : ReportSeries::gap);
-        }
+    for (const FateStyle& style : fate_styles()) {
+        ReportSeries series = {style.label, css_colour(style), false, 1.0, false, {}};
+        const auto fate = static_cast<std::size_t>(style.fate);
+        for (const FieldRow* row : shown)
+            series.values.push_back(row->end_of_cycle ? row->fates.at(fate) : ReportSeries::gap);
+        chart.series.push_back(std::move(series));
     }
     return chart;
 }
 
 ReportChart counts_chart(const Drive& drive) {
-    ReportChart chart =
-        chart_of(drive, "counts", "How far the blocks got", "count", "",
-                 "Per field; obstacle points once a cycle. Few confident blocks: little texture, or blur.");
-    chart.from_zero = true;
+    std::vector<const FieldRow*> shown;
+    ReportChart chart = chart_of_cycles(drive, shown);
+    chart.id = "counts";
+    chart.title = "How far the blocks got";
+    chart.quantity = "count";
+    chart.note =
+        "At the end of each cycle, and for every field without motion. Few confident blocks: little texture, "
+        "darkness, or motion blur.";
     chart.least_span = 10.0;
     const auto add = [&](const char* name, const char* colour, int FieldRow::*member) {
-        const auto value = [member](const FieldRow& row) { return std::optional<double>(row.*member); };
-        chart.series.push_back(series_of({name, colour, false, 1.8, false, {}}, drive, value));
+        ReportSeries series = {name, colour, false, 1.8, false, {}};
+        for (const FieldRow* row : shown) series.values.push_back(row->*member);
+        chart.series.push_back(std::move(series));
     };
     add("placed", "#999999", &FieldRow::placed);
     add("confident", "#56b4e9", &FieldRow::confident);
     add("supporting the turn rate", "#009e73", &FieldRow::inliers);
     add("supporting the speed", "#cc79a7", &FieldRow::ground_window);
-    ReportSeries points = {"obstacle points", "#d55e00", false, 1.8, true, {}};
-    for (const FieldRow& row : drive.rows)
-        points.values.push_back(row.end_of_cycle ? row.obstacles : ReportSeries::none);
-    chart.series.push_back(std::move(points));
+    add("obstacle points", "#d55e00", &FieldRow::obstacles);
     return chart;
 }
 
@@ -189,33 +195,6 @@ ReportTrack track_of(const ReportSeries& look, const Drive& drive, const PoseTra
         result.poses.push_back(pose ? compose(inverse(*first), *pose) : Pose2{unknown, unknown, unknown});
     }
     return result;
-}
-
-/// Rows of a stretch that must stay: lowest, highest and the first gap of every series.
-void keep_extremes(const ReportChart& chart, std::size_t from, std::size_t to, std::vector<char>& keep) {
-    for (const ReportSeries& series : chart.series) {
-        std::optional<std::size_t> low, high, gap;
-        for (std::size_t i = from; i < to; ++i) {
-            const double value = series.values[i];
-            if (value == ReportSeries::none) continue;
-            if (value == ReportSeries::gap) {
-                gap = gap.value_or(i);
-                continue;
-            }
-            if (!low || value < series.values[*low]) low = i;
-            if (!high || value > series.values[*high]) high = i;
-        }
-        for (const auto& row : {low, high, gap})
-            if (row) keep[*row] = 1;
-    }
-}
-
-template <typename T>
-void pick(std::vector<T>& values, const std::vector<char>& keep) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        if (keep[i] != 0) values[kept++] = values[i];
-    values.resize(kept);
 }
 
 }  // namespace
@@ -236,20 +215,6 @@ std::vector<ReportChart> report_charts(const Drive& drive) {
     charts.push_back(fates_chart(drive));
     charts.push_back(counts_chart(drive));
     return charts;
-}
-
-ReportChart thinned(ReportChart chart, std::size_t most) {
-    const std::size_t rows = chart.t_s.size();
-    if (rows <= most || chart.series.empty()) return chart;
-    const std::size_t a_stretch = 3 * chart.series.size();
-    const std::size_t stretches = std::max<std::size_t>(1, most / a_stretch);
-    std::vector<char> keep(rows, 0);
-    keep.front() = keep.back() = 1;
-    for (std::size_t i = 0; i < stretches; ++i)
-        keep_extremes(chart, i * rows / stretches, (i + 1) * rows / stretches, keep);
-    pick(chart.t_s, keep);
-    for (ReportSeries& series : chart.series) pick(series.values, keep);
-    return chart;
 }
 
 const char* colour_of(FieldStatus status) {

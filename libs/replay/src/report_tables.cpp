@@ -81,7 +81,8 @@ std::string errors(const Json& errors) {
                "interpolated at the times of the fields; the first " +
                std::to_string(Errors::settling_fields) +
                " fields, in which the sensor finds its first prediction, are left out of the "
-               "figures of turn rate and speed.");
+               "figures of turn rate and speed. What is usual holds against ground truth; odometry has "
+               "errors of its own.");
 }
 
 std::string statuses(const std::vector<FieldRow>& rows) {

@@ -85,6 +85,20 @@ TEST(Filmstrip, LongDrivesAndCoarsePicturesStayWithinTheBytes) {
         EXPECT_NEAR(pictures[k].timestamp_s - pictures[k - 1].timestamp_s, first_s, 0.5 * first_s);
 }
 
+TEST(Filmstrip, PicturesBecomeSmallerBeforeTheyBecomeRarer) {
+    Filmstrip strip;
+    int width_px = 720;
+    for (int i = 0; width_px == 720 && i < 2000; i += 15) {
+        strip.offer(noisy_field(i), step_at(i));
+        width_px = cv::imdecode(strip.pictures().front().jpeg, cv::IMREAD_COLOR).cols;
+    }
+    EXPECT_EQ(width_px, 640);
+    const auto& pictures = strip.pictures();
+    for (std::size_t k = 1; k < pictures.size(); ++k)
+        EXPECT_LT(pictures[k].timestamp_s - pictures[k - 1].timestamp_s, 1.3);
+    EXPECT_LE(bytes_of(strip), Filmstrip::most_bytes);
+}
+
 TEST(Filmstrip, PicturesShowShapesAtTheirTrueHeight) {
     Filmstrip strip;
     strip.offer(pal_field(0), step_at(0));

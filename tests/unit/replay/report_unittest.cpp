@@ -171,6 +171,16 @@ TEST(Report, ADriveWithoutAFieldSaysSo) {
     EXPECT_TRUE(has(html, "No field could be used"));
 }
 
+TEST(Report, SaysWhenTheSpeedOrTheMotionIsMostlyNotKnown) {
+    Drive drive = sample_drive(50);
+    EXPECT_FALSE(has(report_of(drive), "class='bad'>The speed was not measured"));
+    for (FieldRow& row : drive.rows) row.v_measured = false;
+    EXPECT_TRUE(has(report_of(drive), "class='bad'>The speed was not measured"));
+    EXPECT_FALSE(has(report_of(drive), "class='bad'>The motion is not known"));
+    for (FieldRow& row : drive.rows) row.status = FieldStatus::NoTexture;
+    EXPECT_TRUE(has(report_of(drive), "class='bad'>The motion is not known"));
+}
+
 TEST(Report, NamesCannotBecomeMarkup) {
     const std::string evil = "</script><script>alert(1)</script><!--<b x='\"&.rawlog";
     Drive drive = sample_drive(10);

@@ -9,12 +9,12 @@
 
 namespace flownav {
 
-/// Annotated fields of a drive of unknown length for report.html: one every half second or so, more rarely
-/// once the pictures need more than `most_bytes`. Ends of cycles are preferred, as they show obstacles. Of
-/// what was offered only small pictures stay in memory.
+/// Annotated fields of a drive of unknown length for report.html: one every half second or so. Once the
+/// pictures need more than `most_bytes` all become smaller, and then rarer. Ends of cycles are preferred, as
+/// they show obstacles. Of what was offered only pictures stay in memory.
 class Filmstrip {
   public:
-    static constexpr std::size_t most_bytes = 2'900'000;
+    static constexpr std::size_t most_bytes = 3'100'000;
 
     struct Picture {
         double timestamp_s = 0.0;
@@ -31,11 +31,14 @@ class Filmstrip {
 
   private:
     bool is_due(const pipeline::Step& step) const;
+    void make_room();
+    void shrink();
     void thin_out();
 
     std::vector<Picture> pictures_;
     std::size_t bytes_ = 0;
     bool has_better_than_first_ = false;
+    bool small_ = false;
     double interval_s_ = 0.5;
     double due_s_ = 0.0;
 };
