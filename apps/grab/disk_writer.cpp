@@ -1,18 +1,26 @@
 #include "disk_writer.h"
 
+#include <algorithm>
+
 namespace flownav {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr auto tick = std::chrono::milliseconds(20);
-constexpr std::uint64_t member_bytes_max = 4U << 20;
+constexpr auto tick = std::chrono::milliseconds(10);
+
+/// So that even a member that cannot be compressed fits into a file.
+std::uint64_t longest_member(const RecordingOptions& options) {
+    constexpr std::uint64_t bytes = 4U << 20;
+    return options.max_bytes > 0 ? std::min(bytes, options.max_bytes / 2) : bytes;
+}
 
 }  // namespace
 
 DiskWriter::DiskWriter(RecordingOptions options, std::uint64_t queue_bytes_max)
     : queue_bytes_max_(queue_bytes_max),
+      member_bytes_max_(longest_member(options)),
       recording_(std::move(options)),
       files_(recording_.files()),
       thread_([this] { run(); }) {}
@@ -79,8 +87,8 @@ void DiskWriter::run() {
     } catch (const std::exception& error) {
         const std::lock_guard lock(mutex_);
         failure_ = error.what();
-        for (const auto& [label, count] : in_member_) counts_.lost += count;
-        counts_.lost += window_.take_all().size();
+        counts_.lost += taken_ + window_.take_all().size();
+        for (const auto& [label, count] : counts_.written) counts_.lost -= count;
     }
     room_.notify_all();
 }
@@ -93,6 +101,7 @@ void DiskWriter::write_until_finished() {
             changed_.wait_for(lock, tick, [this] { return finishing_; });
             last = finishing_;
             objects = last ? window_.take_all() : window_.take_ripe(Clock::now());
+            taken_ += objects.size();
         }
         room_.notify_all();
         write(objects);
@@ -102,10 +111,10 @@ void DiskWriter::write_until_finished() {
 
 void DiskWriter::write(const std::vector<QueuedObject>& objects) {
     for (const QueuedObject& object : objects) {
+        if (recording_.pending_bytes() + object.bytes.size() > member_bytes_max_) flush();
         if (recording_.pending_bytes() == 0) member_begin_ = Clock::now();
         ++in_member_[object.label];
         recording_.add(object.bytes);
-        if (recording_.pending_bytes() >= member_bytes_max) flush();
     }
 }
 

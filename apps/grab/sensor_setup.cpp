@@ -1,10 +1,10 @@
 #include "sensor_setup.h"
 
 #include <mrpt/config/CConfigFileMemory.h>
-#include <mrpt/io/vector_loadsave.h>
 
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 namespace flownav {
@@ -18,11 +18,10 @@ constexpr const char* global = "global";
 /// CConfigFile would rewrite the file of the user.
 mrpt::config::CConfigFileMemory loaded(const std::filesystem::path& file) {
     std::ifstream stream(file);
-    std::ostringstream text;
-    if (std::filesystem::is_directory(file) || !(text << stream.rdbuf()))
+    if (!stream || std::filesystem::is_directory(file))
         throw GrabUsageError("cannot read the configuration " + file.string());
     mrpt::config::CConfigFileMemory ini;
-    ini.setContent(text.str());
+    ini.setContent(std::string(std::istreambuf_iterator<char>(stream), {}));
     return ini;
 }
 

@@ -31,7 +31,7 @@ struct Victim {
 /// More of them on demand: FLOWNAV_GRAB_KILLS=20.
 int kills() {
     const char* number = std::getenv("FLOWNAV_GRAB_KILLS");
-    return number == nullptr ? 6 : std::atoi(number);
+    return number == nullptr ? 4 : std::atoi(number);
 }
 
 std::size_t lines_of(const fs::path& file) {
