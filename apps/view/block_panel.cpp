@@ -73,7 +73,7 @@ void mark_cell(cv::Mat& panel, const cv::Rect& area, int cell_px, int mu, int nu
 
 std::string per_pixel(std::uint16_t cost) {
     constexpr double pixels = 1.0 * block_px * block_px;
-    return std::to_string(cost) + " = " + fixed_text(cost / pixels, 1) + " grey levels/px";
+    return std::to_string(cost) + ", " + fixed_text(cost / pixels, 1) + " a pixel";
 }
 
 void draw_axes(cv::Mat& panel, const cv::Rect& area, int cell_px) {
@@ -110,7 +110,7 @@ void draw_surface(cv::Mat& panel, const SadWindow& window, const cv::Rect& room)
     line("window at (" + std::to_string(window.bias_px.x()) + ", " + std::to_string(window.bias_px.y()) +
          ") px, minimum at (" + std::to_string(window.match.mu) + ", " + std::to_string(window.match.nu) +
          ")");
-    line("dark matches well, pale does not; grey: outside");
+    line("dark: good match; grey: outside image");
     line("exposure: gain " + fixed_text(window.brightness.gain, 3) + ", offset " +
          fixed_text(window.brightness.offset, 1));
 }

@@ -54,7 +54,7 @@ void draw_predictions(cv::Mat& picture, const pipeline::Step& step, const FieldS
         if (step.image_of_cycle == 0 || block.fate == BlockFate::Unplaced) continue;
         const cv::Point from = scale.at(block.vector.at_px);
         const cv::Point to = scale.at(block.vector.at_px + block.predicted_px);
-        cv::line(picture, from, to, paper, 1, cv::LINE_AA);
+        if (block.fate != BlockFate::Sifted) cv::line(picture, from, to, paper, 1, cv::LINE_AA);
         cv::drawMarker(picture, to, paper, cv::MARKER_TILTED_CROSS, 5, 1, cv::LINE_AA);
     }
 }

@@ -51,10 +51,10 @@ void draw_grid(cv::Mat& picture, const Projection& p) {
         const std::string text = fixed_text(i * step_m, decimals);
         if (cross.y > 20 && cross.y < p.size.height - 6)
             write_text(picture, {4, cross.y - 3}, text + " m", grey, 0.4);
-        if (i != 0 && cross.x > 60 && cross.x < picture.cols - 20)
+        if (i != 0 && cross.x > 60 && cross.x < picture.cols - 34)
             write_text(picture, {cross.x + 3, p.size.height - 5}, text, grey, 0.4);
     }
-    write_text(picture, {picture.cols - 168, 15}, "robot frame, ahead is up", grey, 0.4);
+    write_text(picture, {picture.cols - 248, 15}, "robot frame in metres, ahead is up", grey, 0.4);
 }
 
 /// T_robot_start, by flow odometry.
@@ -130,12 +130,12 @@ std::vector<std::size_t> fields_of_way(const MapPanelContent& content) {
 
 void draw_way(cv::Mat& picture, const std::vector<cv::Point>& way, const cv::Scalar& colour, int width) {
     if (way.size() > 1) cv::polylines(picture, way, false, colour, width, cv::LINE_AA);
-    if (!way.empty()) cv::circle(picture, way.back(), 4, colour, cv::FILLED, cv::LINE_AA);
+    if (!way.empty()) cv::circle(picture, way.back(), width / 2 + 2, colour, cv::FILLED, cv::LINE_AA);
 }
 
 /// The way of another track up to now, laid over the flow's so that both start alike.
 void draw_track(cv::Mat& picture, const Projection& p, const MapPanelContent& content, const PoseTrack& track,
-                const cv::Scalar& colour) {
+                const cv::Scalar& colour, int width) {
     if (track.empty() || content.timeline.rows.empty()) return;
     const auto first = track.ground_at(content.timeline.rows.front().timestamp_s);
     if (!first) return;
@@ -147,7 +147,7 @@ void draw_track(cv::Mat& picture, const Projection& p, const MapPanelContent& co
     };
     for (const std::size_t i : fields_of_way(content)) add(content.timeline.rows[i].timestamp_s);
     add(content.frame.step.timestamp_s);
-    draw_way(picture, way, colour, 1);
+    draw_way(picture, way, colour, width);
 }
 
 void draw_flow_way(cv::Mat& picture, const Projection& p, const MapPanelContent& content) {
@@ -158,7 +158,7 @@ void draw_flow_way(cv::Mat& picture, const Projection& p, const MapPanelContent&
         way.push_back(p.at(transform(T_robot_start, {pose.x_m, pose.y_m})));
     }
     way.push_back(p.robot_px);
-    draw_way(picture, way, blue, 2);
+    draw_way(picture, way, blue, 6);
 }
 
 void draw_robot(cv::Mat& picture, const Projection& p) {
@@ -172,6 +172,7 @@ void draw_legend(cv::Mat& panel, const MapPanelContent& content, int top_px) {
     LegendRow row(panel, {6, top_px + 2, panel.cols - 12, line_px});
     row.add("obstacles, with deviation", vermilion, LegendRow::Mark::Dot);
     row.add("earlier", orange, LegendRow::Mark::Dot);
+    row.add("moving", blue, LegendRow::Mark::Dot);
     row.add("seen free", 0.3 * green + 0.7 * paper);
     row.add("scan", vermilion, LegendRow::Mark::Line);
     row.add("flow", blue, LegendRow::Mark::Line);
@@ -197,9 +198,10 @@ cv::Mat map_panel(const MapPanelContent& content, const cv::Size& size) {
         draw_scan(picture, p, *cycle, T_robot_cycle);
     }
     draw_points(picture, p, content);
-    draw_track(picture, p, content, content.timeline.ground_truth, ink);
-    draw_track(picture, p, content, content.timeline.odometry, purple);
+    // Each is thinner than the one below it, so that none hides another.
     draw_flow_way(picture, p, content);
+    draw_track(picture, p, content, content.timeline.odometry, purple, 3);
+    draw_track(picture, p, content, content.timeline.ground_truth, ink, 1);
     if (cycle != nullptr) draw_newest(picture, p, *cycle, T_robot_cycle);
     draw_robot(picture, p);
     draw_legend(panel, content, p.size.height);

@@ -158,7 +158,7 @@ int save_screenshot(const ViewCommand& command, std::ostream& out, std::ostream&
     read_until(model, command.at_s + strip_after_s);
     model.show_at(command.at_s);
     model.hover(command.pointed_px);
-    save_picture(command.screenshot, view_picture(model, {}, command.size));
+    save_picture(command.screenshot, view_picture(model, look_for(model.config()), command.size));
     if (command.print_state) out << state_json(model) << '\n';
     return status_of(model, error);
 }

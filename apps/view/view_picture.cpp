@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "block_panel.h"
+#include "flownav/replay/field_drawing.h"
 #include "flownav/replay/number_text.h"
 #include "ink.h"
 #include "map_panel.h"
@@ -17,7 +18,7 @@ constexpr int title_px = 24;
 constexpr int gap_px = 4;
 constexpr double left_share = 0.6;
 constexpr double strip_share = 0.24;
-constexpr int block_px_high = 290;
+constexpr int block_px_high = 330;
 
 /// Which file, which field, when.
 std::string where_text(const ViewModel& model) {
@@ -56,7 +57,7 @@ void put(cv::Mat& picture, const cv::Rect& area, const cv::Mat& panel) {
 }
 
 FieldPlace field_place_in(const ViewModel& model, const cv::Size& size) {
-    const ViewLayout layout = layout_of(size);
+    const ViewLayout layout = layout_of(model, size);
     FieldPlace place = field_place(model.frame().field, layout.field.size());
     place.area += layout.field.tl();
     return place;
@@ -64,7 +65,13 @@ FieldPlace field_place_in(const ViewModel& model, const cv::Size& size) {
 
 }  // namespace
 
-ViewLayout layout_of(const cv::Size& size) {
+Look look_for(const Config& config) {
+    Look look;
+    look.ahead_m = std::clamp(config.pipeline.obstacles.range_max_m, 1.0, 100.0);
+    return look;
+}
+
+ViewLayout layout_of(const cv::Size& size, bool wide) {
     const int width = std::max(size.width, least_width_px);
     const int height = std::max(size.height, least_height_px);
     const int strip = std::max(130, cvRound(strip_share * height));
@@ -72,18 +79,31 @@ ViewLayout layout_of(const cv::Size& size) {
     const int top = title_px + gap_px;
     const int middle = height - strip - gap_px - top;
     const int right = width - left - gap_px;
-    const int block = std::clamp(block_px_high, 60, middle * 45 / 100);
+    const int block = std::clamp(block_px_high, 60, middle / 2);
     ViewLayout layout;
     layout.title = {0, 0, width, title_px};
+    layout.strip = {0, height - strip, width, strip};
+    if (wide) {
+        const int field = middle * 11 / 20;
+        const int below = top + field + gap_px;
+        layout.field = {0, top, width, field};
+        layout.map = {0, below, left, middle - field - gap_px};
+        layout.block = {left + gap_px, below, right, middle - field - gap_px};
+        return layout;
+    }
     layout.field = {0, top, left, middle};
     layout.map = {left + gap_px, top, right, middle - block - gap_px};
     layout.block = {left + gap_px, top + middle - block, right, block};
-    layout.strip = {0, height - strip, width, strip};
     return layout;
 }
 
+ViewLayout layout_of(const ViewModel& model, const cv::Size& size) {
+    const Field& field = model.frame().field;
+    return layout_of(size, field.image.width_px > 2.0 * pixel_aspect(field) * field.image.height_px);
+}
+
 cv::Mat view_picture(const ViewModel& model, const Look& look, const cv::Size& size) {
-    const ViewLayout layout = layout_of(size);
+    const ViewLayout layout = layout_of(model, size);
     cv::Mat picture(std::max(size.height, least_height_px), std::max(size.width, least_width_px), CV_8UC3,
                     cv::Scalar::all(200));
     const Frame& frame = model.frame();

@@ -13,6 +13,9 @@ struct Look {
     std::string note;         ///< one line for the person: what was saved, what went wrong
 };
 
+/// With the map as far as points are reported.
+Look look_for(const Config& config);
+
 /// Where the panels lie in a picture.
 struct ViewLayout {
     cv::Rect title, field, map, block, strip;
@@ -21,7 +24,11 @@ struct ViewLayout {
 constexpr int least_width_px = 640;
 constexpr int least_height_px = 480;
 
-ViewLayout layout_of(const cv::Size& size);
+/// `wide`: for a field that is more than twice as wide as high.
+ViewLayout layout_of(const cv::Size& size, bool wide = false);
+
+/// The layout for the model's field.
+ViewLayout layout_of(const ViewModel& model, const cv::Size& size);
 
 /// All panels in one picture (8-bit BGR, `size`): what the window shows and what a screenshot holds.
 cv::Mat view_picture(const ViewModel& model, const Look& look, const cv::Size& size);

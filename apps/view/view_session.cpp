@@ -22,9 +22,7 @@ constexpr double most_ahead_m = 100.0;
 }  // namespace
 
 ViewSession::ViewSession(ViewModel& model, const ViewCommand& command, std::ostream& out)
-    : model_(model), command_(command), out_(out), size_(command.size) {
-    look_.ahead_m = std::min(look_.ahead_m, model.config().pipeline.obstacles.range_max_m);
-}
+    : model_(model), command_(command), out_(out), size_(command.size), look_(look_for(model.config())) {}
 
 bool ViewSession::turn(double elapsed_s) {
     const std::size_t before = model_.frame().index;
@@ -100,7 +98,7 @@ void ViewSession::set_parameter(std::size_t slider, double share) {
 }
 
 void ViewSession::mouse(const cv::Point& at, bool pressed) {
-    const ViewLayout layout = layout_of(size_);
+    const ViewLayout layout = layout_of(model_, size_);
     if (pressed && layout.strip.contains(at) && !clip_) {
         model_.set_playing(false);
         model_.show_at(strip_time_s(model_.timeline(), at.x - layout.strip.x, layout.strip.width));
@@ -117,7 +115,7 @@ void ViewSession::mouse_left() {
 }
 
 void ViewSession::wheel(const cv::Point& at, double clicks) {
-    if (!layout_of(size_).map.contains(at)) return;
+    if (!layout_of(model_, size_).map.contains(at)) return;
     look_.ahead_m = std::clamp(look_.ahead_m * std::pow(0.8, clicks), least_ahead_m, most_ahead_m);
     changed_ = true;
 }
