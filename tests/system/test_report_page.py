@@ -148,8 +148,9 @@ class ReportPage(unittest.TestCase):
             self.assertNotEqual(before, after)
         self.assertAlmostEqual(self.picture(), second, delta=0.5)
         self.assertIn(f"t = {second:.2f} s", self.browser.find_element(By.ID, "readout").text)
-        values = self.browser.find_elements(By.CSS_SELECTOR, "#chart-heading .legend b")
-        self.assertTrue(values and all(value.text not in ("", "–") for value in values))
+        for chart in ("turn", "speed"):
+            flow = self.browser.find_elements(By.CSS_SELECTOR, f"#chart-{chart} .legend b")[-1].text
+            self.assertIn(f"{chart} {flow} ", self.browser.find_element(By.ID, "readout").text)
 
     def test_the_map_leads_as_well(self):
         canvas = self.browser.find_element(By.ID, "map")

@@ -105,17 +105,16 @@ std::string fates_legend() {
 }
 
 std::string panel(const Drive& drive) {
-    return "<aside id='panel'>\n<p id='readout'></p>\n<img id='large' alt=''>\n"
-           "<p class='help'>Point at any chart, at the way or at the map: all show that moment. A click pins "
-           "it, "
-           "a second click or Esc frees it. Arrow keys step from picture to picture, with Shift from field "
-           "to "
-           "field. Drag in a chart over time to zoom, double-click to see all again.</p>\n" +
+    return "<aside id='panel'>\n<div id='follow'><p id='readout'></p>\n<img id='large' alt=''></div>\n" +
            strip(drive) + fates_legend() +
            "<p class='help'>Arrows are the vectors of the running cycle, from its first field to this one; "
            "they "
-           "end where the block is now. Fields of half the lines are shown at their true "
-           "height.</p>\n</aside>\n";
+           "end where the block is now. Fields of half the lines are shown at their true height.</p>\n"
+           "<p class='help keys'>Point at any chart, at the way or at the map: all show that moment. A click "
+           "pins "
+           "it, a second click or Esc frees it. Arrow keys step from picture to picture, with Shift from "
+           "field to "
+           "field. Drag in a chart over time to zoom, double-click to see all again.</p>\n</aside>\n";
 }
 
 /// Places that the script fills.

@@ -88,7 +88,7 @@
             if (from !== range[0] || to !== range[1]) chart.graph.updateOptions({dateWindow: range});
         }
         linking = false;
-        for (const chart of charts) chart.place(now);
+        if (now !== null) for (const chart of charts) chart.view(now);
     }
 
     /** Lowest and highest value when they are too close to fill a chart, else null: as the data have it. */
@@ -100,10 +100,20 @@
         return [from, Math.max(from + chart.leastSpan, high)];
     }
 
+    /** The value at a time; of a series that has few, the last before. */
+    function valueAt(chart, series, t) {
+        for (let i = nearest(chart.t, t); i >= 0; --i) {
+            const value = gap(series.values[i]);
+            if (value !== null || !series.connected) return value;
+        }
+        return null;
+    }
+
     function legendOf(chart) {
         return (shown) => shown.series.map((s) => {
-            const value = shown.x === undefined ? '' : '<b>' + text(s.y) + '</b>';
             const look = chart.series.find((one) => one.name === s.label);
+            const t = shown.x === undefined ? now : shown.x;  // outside of what is zoomed to nothing is selected
+            const value = t === null ? '' : '<b>' + text(valueAt(chart, look, t)) + '</b>';
             const line = look.dashed ? 'dashed' : 'solid';
             const mark = chart.stacked ? `<i style="background:${look.colour}"></i>`
                 : `<u style="border-top:${Math.min(look.width + 1, 5)}px ${line} ${look.colour}"></u>`;
@@ -157,7 +167,7 @@
             graph.setSelection(nearest(chart.t, t));
             place(t);
         };
-        charts.push({graph, place});
+        charts.push({graph, view});
         viewers.push(view);
         if (now !== null) view(now);
     }
@@ -432,24 +442,18 @@
     const pictureTimes = data.pictures.map((picture) => picture.t);
     const nearestPicture = (t) => nearest(pictureTimes, t);
 
-    function valueAt(id, t) {
+    function flowAt(id, t) {
         const chart = data.charts.find((one) => one.id === id);
-        const flow = chart.series.find((one) => one.name === 'flow');
-        for (let i = nearest(chart.t, t); i >= 0; --i) {
-            if (flow.values[i] === false) return null;
-            if (flow.values[i] !== null) return flow.values[i];
-        }
-        return null;
+        return valueAt(chart, chart.series.find((one) => one.name === 'flow'), t);
     }
 
     function describe(t) {
-        const turn = valueAt('turn', t), speed = valueAt('speed', t);
-        const parts = [`t = ${t.toFixed(2)} s`, statusAt(t).name];
-        if (turn !== null) parts.push(`turn ${text(turn)} deg/s`);
-        if (speed !== null) parts.push(`speed ${text(speed)} m/s`);
         const i = nearestPicture(t);
-        if (i >= 0) parts.push(`picture of ${pictureTimes[i].toFixed(2)} s: ${data.pictures[i].points.length} obstacle points`);
-        byId('readout').textContent = parts.join('  ·  ') + (pinned ? '  ·  pinned' : '');
+        const parts = [`t = ${t.toFixed(2)} s`, statusAt(t).name, `turn ${text(flowAt('turn', t))} deg/s`,
+            `speed ${text(flowAt('speed', t))} m/s`];
+        if (i >= 0) parts.push(`picture of ${pictureTimes[i].toFixed(2)} s`, `${data.pictures[i].points.length} obstacle points`);
+        if (pinned) parts.push('pinned');
+        byId('readout').replaceChildren(...parts.flatMap((part) => [element('span', {textContent: part}), ' ']));
     }
 
     function addPictures() {
@@ -557,7 +561,7 @@
     addEventListener('hashchange', () => follow(location.hash));
     if (!follow(location.hash)) {
         // Begin where there is most to see.
-        const most = data.pictures.reduce((best, one) => one.points.length > best.points.length ? one : best, {t: 0, points: []});
-        show(most.t);
+        const middle = data.pictures[data.pictures.length >> 1] || {t: 0, points: []};
+        show(data.pictures.reduce((best, one) => one.points.length > best.points.length ? one : best, middle).t);
     }
 })();
