@@ -15,7 +15,7 @@ namespace {
 constexpr double deg = 180.0 / M_PI;
 constexpr int margin_px = 8;
 constexpr int axis_px = 18;
-constexpr int caption_px = 5 * 16 + 6;
+constexpr int caption_px = 6 * 16 + 6;
 constexpr double small = 0.4;
 constexpr int small_line_px = 16;
 
@@ -107,9 +107,9 @@ void draw_surface(cv::Mat& panel, const SadWindow& window, const cv::Rect& room)
     };
     line("minimum (white)  " + per_pixel(window.match.minimum));
     line("second (orange)  " + (window.match.second == no_cost ? "none" : per_pixel(window.match.second)));
-    line("window at (" + std::to_string(window.bias_px.x()) + ", " + std::to_string(window.bias_px.y()) +
-         ") px, minimum at (" + std::to_string(window.match.mu) + ", " + std::to_string(window.match.nu) +
-         ")");
+    const auto at = [](int u, int v) { return '(' + std::to_string(u) + ", " + std::to_string(v) + ") px"; };
+    line("window at " + at(window.bias_px.x(), window.bias_px.y()));
+    line("minimum in it at " + at(window.match.mu, window.match.nu));
     line("dark: good match; grey: outside image");
     line("exposure: gain " + fixed_text(window.brightness.gain, 3) + ", offset " +
          fixed_text(window.brightness.offset, 1));

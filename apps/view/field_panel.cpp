@@ -15,11 +15,15 @@ namespace flownav::view {
 
 namespace {
 
-constexpr int legend_px = 6 * line_px + 4;
 constexpr int margin_px = 8;
 constexpr int cone_cell_px = 4;
 constexpr double deg = 180.0 / M_PI;
 const cv::Scalar cone_colour(200, 0, 120);
+
+/// The legend takes fewer lines where there is room.
+int legend_px(int width_px) {
+    return (width_px > 1000 ? 4 : 6) * line_px + 4;
+}
 
 CameraModel camera_in_use(const Frame& frame) {
     CameraModel camera = frame.field.camera;
@@ -91,7 +95,7 @@ void draw_legend(cv::Mat& panel, const FieldPanelContent& content, int top_px) {
     const pipeline::Step& step = content.frame.step;
     const int width_px = panel.cols - 2 * margin_px;
     write_text(panel, {margin_px, top_px + 15}, fitted(state_text(content.frame), width_px));
-    LegendRow row(panel, {margin_px, top_px + line_px + 2, width_px, legend_px - line_px});
+    LegendRow row(panel, {margin_px, top_px + line_px + 2, width_px, line_px});
     const auto& styles = fate_styles();
     for (auto style = styles.rbegin(); style != styles.rend(); ++style) {
         row.add(std::string(style->label) + ' ' + std::to_string(count_of(step, style->fate)), style->colour);
@@ -117,7 +121,7 @@ cv::Point FieldPlace::panel_px(const Eigen::Vector2d& field_px) const {
 FieldPlace field_place(const Field& field, const cv::Size& panel) {
     FieldPlace place;
     const double aspect = pixel_aspect(field);
-    const double room_y = std::max(16, panel.height - legend_px);
+    const double room_y = std::max(16, panel.height - legend_px(panel.width));
     const double zoom =
         std::min(panel.width / (1.0 * field.image.width_px), room_y / (aspect * field.image.height_px));
     const cv::Size size(std::max(1, static_cast<int>(zoom * field.image.width_px)),

@@ -84,7 +84,7 @@ ViewLayout layout_of(const cv::Size& size, bool wide) {
     layout.title = {0, 0, width, title_px};
     layout.strip = {0, height - strip, width, strip};
     if (wide) {
-        const int field = middle * 11 / 20;
+        const int field = middle / 2;
         const int below = top + field + gap_px;
         layout.field = {0, top, width, field};
         layout.map = {0, below, left, middle - field - gap_px};
