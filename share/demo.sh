@@ -21,7 +21,7 @@ fi
 cat <<END
 
 What the sensor made of the drive is in $out
-  report.html                  trajectory, speeds, map and pictures with vectors and obstacles: open it in a browser
+  report.html                  linked charts, way, map and pictures with vectors and obstacles: open it in a browser
   map.pgm, map.yaml            the occupancy grid
   trajectory.tum               the path of the robot
   egomotion.csv, obstacles.csv the numbers behind them (share/doc/outputs.md explains every column)

@@ -36,7 +36,7 @@ flownav-replay INPUT.rawlog --output DIR [--config FILE.ini] [--set section.key=
   --help, --version         print this text, or the version, and exit
 
 Writes into DIR:
-  report.html               figures, curves, map and pictures, for a web browser
+  report.html               linked charts, way, map, pictures and every figure in words, for a web browser
   summary.json              what was read, rejected and written; errors; configuration; timing
   trajectory.tum            flow odometry, one pose a field: timestamp x y z qx qy qz qw
   odometry.tum, ground_truth.tum   the same for the recording's own poses, where it has them
