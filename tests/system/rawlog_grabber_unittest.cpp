@@ -1,39 +1,27 @@
 #include <gtest/gtest.h>
-#include <mrpt/core/Clock.h>
-#include <mrpt/obs/CObservation2DRangeScan.h>
-#include <mrpt/obs/CObservationOdometry.h>
-#include <mrpt/obs/CObservationPointCloud.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
-#include <map>
-#include <opencv2/core/mat.hpp>
-#include <opencv2/videoio.hpp>
 #include <sstream>
 
-#include "flownav/replay/field_source.h"
+#include "compare_rawlogs.h"
+#include "drive_video.h"
 #include "program.h"
 
 /// MRPT's own rawlog-grabber with the plug-in, and what it writes.
 namespace flownav {
 namespace {
 
+using namespace flownav::testing;
 namespace fs = std::filesystem;
-using mrpt::obs::CObservation;
-using mrpt::obs::CObservation2DRangeScan;
-using mrpt::obs::CObservationOdometry;
-using mrpt::obs::CObservationPointCloud;
-using testing::Outcome;
-using testing::run_program;
 
 const std::string corridor = FLOWNAV_CORRIDOR;
-using ByLabel = std::map<std::string, std::vector<CObservation::Ptr>>;
 
-fs::path data_folder() {
+/// The recorded scene of the optional data.
+fs::path scene() {
     const char* given = std::getenv("FLOWNAV_DATA");
-    return given != nullptr ? given : FLOWNAV_DATA;
+    return fs::path(given != nullptr ? given : FLOWNAV_DATA) / "scenes/field.rawlog";
 }
 
 std::string content(const fs::path& file) {
@@ -44,88 +32,6 @@ std::string content(const fs::path& file) {
 
 bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
-}
-
-ByLabel observations_of(const fs::path& rawlog) {
-    ByLabel found;
-    RawlogReader reader(rawlog);
-    while (auto observation = reader.next()) found[observation->sensorLabel].push_back(observation);
-    EXPECT_EQ(reader.end().kind, ReadEnd::Kind::Clean) << reader.end().message;
-    return found;
-}
-
-std::map<std::string, std::size_t> counts(const ByLabel& observations) {
-    std::map<std::string, std::size_t> counts;
-    for (const auto& [label, list] : observations) counts[label] = list.size();
-    return counts;
-}
-
-template <class Class>
-const Class& as(const CObservation::Ptr& observation) {
-    return dynamic_cast<const Class&>(*observation);
-}
-
-/// Largest differences between two lists of observations.
-struct Differences {
-    double time_s = 0.0, omega_radps = 0.0, v_mps = 0.0, position_m = 0.0, heading_rad = 0.0;
-    double range_m = 0.0, point_m = 0.0;
-    int validity = 0, beams = 0, points = 0;  ///< that do not agree
-
-    void odometry(const CObservationOdometry& a, const CObservationOdometry& b) {
-        widen(omega_radps, a.velocityLocal.omega, b.velocityLocal.omega);
-        widen(v_mps, a.velocityLocal.vx, b.velocityLocal.vx);
-        widen(position_m, a.odometry.x(), b.odometry.x());
-        widen(position_m, a.odometry.y(), b.odometry.y());
-        widen(heading_rad, a.odometry.phi(), b.odometry.phi());
-        if (a.hasVelocities != b.hasVelocities) ++validity;
-    }
-
-    void scan(const CObservation2DRangeScan& a, const CObservation2DRangeScan& b) {
-        if (a.getScanSize() != b.getScanSize()) ++beams;
-        for (std::size_t i = 0; i < std::min(a.getScanSize(), b.getScanSize()); ++i) {
-            widen(range_m, a.getScanRange(i), b.getScanRange(i));
-            if (a.getScanRangeValidity(i) != b.getScanRangeValidity(i)) ++validity;
-        }
-    }
-
-    void cloud(const CObservationPointCloud& a, const CObservationPointCloud& b) {
-        const auto& left = a.pointcloud->getPointsBufferRef_x();
-        const auto& right = b.pointcloud->getPointsBufferRef_x();
-        if (left.size() != right.size()) ++points;
-        for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
-            widen(point_m, left[i], right[i]);
-            widen(point_m, a.pointcloud->getPointsBufferRef_y()[i], b.pointcloud->getPointsBufferRef_y()[i]);
-            widen(point_m, a.pointcloud->getPointsBufferRef_z()[i], b.pointcloud->getPointsBufferRef_z()[i]);
-        }
-    }
-
-    static void widen(double& most, double a, double b) { most = std::max(most, std::abs(a - b)); }
-};
-
-std::ostream& operator<<(std::ostream& out, const Differences& d) {
-    return out << "time " << d.time_s << " s, omega " << d.omega_radps << " rad/s, v " << d.v_mps
-               << " m/s, position " << d.position_m << " m, heading " << d.heading_rad << " rad, ranges "
-               << d.range_m << " m, points " << d.point_m << " m; of different validity " << d.validity
-               << ", size " << d.beams << ", number " << d.points;
-}
-
-Differences compared(const ByLabel& grabbed, const ByLabel& replayed) {
-    Differences most;
-    for (const auto& [label, list] : replayed) {
-        const auto& other = grabbed.at(label);
-        for (std::size_t i = 0; i < std::min(list.size(), other.size()); ++i) {
-            const auto &a = other[i], &b = list[i];
-            Differences::widen(most.time_s, mrpt::Clock::toDouble(a->timestamp),
-                               mrpt::Clock::toDouble(b->timestamp));
-            if (label == "FLOW_SCAN")
-                most.scan(as<CObservation2DRangeScan>(a), as<CObservation2DRangeScan>(b));
-            if (label == "FLOW_POINTS")
-                most.cloud(as<CObservationPointCloud>(a), as<CObservationPointCloud>(b));
-            if (has(label, "ODOMETRY"))
-                most.odometry(as<CObservationOdometry>(a), as<CObservationOdometry>(b));
-        }
-    }
-    return most;
 }
 
 /// Rounding of the time stamps (100 ns) is all that may differ.
@@ -164,7 +70,7 @@ class RawlogGrabber : public ::testing::Test {
         std::vector<std::string> command = {"ASAN_OPTIONS=detect_leaks=0"};
         if (*FLOWNAV_PRELOAD != '\0') command.emplace_back("LD_PRELOAD=" FLOWNAV_PRELOAD);
         command.insert(command.end(), {FLOWNAV_RAWLOG_GRABBER, "-p", FLOWNAV_PLUGIN, folder / "grabber.ini"});
-        return run_program("/usr/bin/env", command, folder, testing::Input::Waiting);
+        return run_program("/usr/bin/env", command, folder, Input::Waiting);
     }
 
     fs::path grabbed_file() const {
@@ -186,12 +92,22 @@ class RawlogGrabber : public ::testing::Test {
 
     void expect_the_numbers_of_a_replay(const std::string& rawlog) const {
         const Outcome outcome = grab("grabber_type = rawlog\nrawlog_file = " + rawlog + "\n");
+        expect_same(outcome, replayed(rawlog));
+    }
+
+    void expect_the_numbers_of_a_replay_from_a_video(const std::string& rawlog) const {
+        const Outcome outcome = grab(make_drive_video(rawlog, folder));
+        ByLabel replay = replayed(rawlog);
+        replay.erase("ODOMETRY");  // a video has none
+        expect_same(outcome, replay);
+    }
+
+    void expect_same(const Outcome& outcome, const ByLabel& replay) const {
         ASSERT_EQ(outcome.status, 0) << outcome.error;
-        const ByLabel grab = grabbed(), replay = replayed(rawlog);
-        auto expected = counts(replay);
+        const ByLabel grab = grabbed();
         auto found = counts(grab);
         found.erase("FLOW_END");  // last of all; rawlog-grabber never writes the last
-        EXPECT_EQ(found, expected) << outcome.error;
+        ASSERT_EQ(found, counts(replay)) << outcome.error;
         for (const auto& [label, count] : found) std::cout << label << ' ' << count << '\n';
         expect_rounding(compared(grab, replay));
     }
@@ -199,63 +115,24 @@ class RawlogGrabber : public ::testing::Test {
     fs::path folder;
 };
 
-/// Writes the fields of a rawlog as a lossless video and their camera as an ini; returns the time of the
-/// first.
-double write_video(const std::string& rawlog, const fs::path& video, const fs::path& ini, double rate_hz) {
-    RawlogReader reader(rawlog);
-    FieldSource source(reader, CameraConfig{});
-    cv::VideoWriter writer;
-    double start_s = -1;
-    while (const auto event = source.next()) {
-        const auto* field = std::get_if<Field>(&*event);
-        if (field == nullptr) continue;
-        const ImageView& view = field->image;
-        if (!writer.isOpened()) {
-            start_s = field->timestamp_s;
-            writer.open(video.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('F', 'F', 'V', '1'), rate_hz,
-                        {view.width_px, view.height_px}, false);
-            const CameraModel& c = field->camera;
-            std::ofstream(ini) << std::setprecision(17) << "[camera]\nfx_px = " << c.fx_px
-                               << "\nfy_px = " << c.fy_px << "\ncx_px = " << c.cx_px
-                               << "\ncy_px = " << c.cy_px << "\nheight_m = " << c.mount.height_m
-                               << "\nforward_m = " << c.mount.forward_m << "\nleft_m = " << c.mount.left_m
-                               << "\npitch_deg = " << c.mount.pitch_rad * 180 / M_PI
-                               << "\nroll_deg = " << c.mount.roll_rad * 180 / M_PI
-                               << "\nyaw_deg = " << c.mount.yaw_rad * 180 / M_PI << '\n';
-        }
-        writer.write(cv::Mat(view.height_px, view.width_px, CV_8UC1, const_cast<std::uint8_t*>(view.data),
-                             static_cast<std::size_t>(view.stride_bytes)));
-    }
-    return start_s;
-}
-
 TEST_F(RawlogGrabber, WritesTheNumbersOfAReplayOfTheSampleDrive) {
     expect_the_numbers_of_a_replay(corridor);
 }
 
 TEST_F(RawlogGrabber, WritesTheNumbersOfAReplayOfTheRecordedScene) {
-    const fs::path rawlog = data_folder() / "scenes/field.rawlog";
-    if (!fs::exists(rawlog))
-        GTEST_SKIP() << "no " << rawlog << "; set FLOWNAV_DATA to the folder with the recordings";
-    expect_the_numbers_of_a_replay(rawlog);
+    if (!fs::exists(scene()))
+        GTEST_SKIP() << "no " << scene() << "; set FLOWNAV_DATA to the folder with the recordings";
+    expect_the_numbers_of_a_replay(scene());
 }
 
-TEST_F(RawlogGrabber, WritesTheSameNumbersFromAVideo) {
-    const double start_s = write_video(corridor, folder / "drive.avi", folder / "camera.ini", 12.5);
-    std::ostringstream lines;
-    lines << std::setprecision(17)
-          << "grabber_type = ffmpeg\nffmpeg_url = " << (folder / "drive.avi").string()
-          << "\nflownav_config = " << (folder / "camera.ini").string() << "\nstart_time_s = " << start_s
-          << '\n';
-    const Outcome outcome = grab(lines.str());
-    ASSERT_EQ(outcome.status, 0) << outcome.error;
-    ByLabel replay = replayed(corridor);
-    replay.erase("ODOMETRY");  // a video has none
-    const ByLabel grab = grabbed();
-    auto found = counts(grab);
-    found.erase("FLOW_END");
-    EXPECT_EQ(found, counts(replay)) << outcome.error;
-    expect_rounding(compared(grab, replay));
+TEST_F(RawlogGrabber, WritesTheSameNumbersFromAVideoOfTheSampleDrive) {
+    expect_the_numbers_of_a_replay_from_a_video(corridor);
+}
+
+TEST_F(RawlogGrabber, WritesTheSameNumbersFromAWovenVideoOfTheRecordedScene) {
+    if (!fs::exists(scene()))
+        GTEST_SKIP() << "no " << scene() << "; set FLOWNAV_DATA to the folder with the recordings";
+    expect_the_numbers_of_a_replay_from_a_video(scene());
 }
 
 TEST_F(RawlogGrabber, WritesWhatRawlogEditReads) {

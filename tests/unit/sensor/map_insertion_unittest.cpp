@@ -58,11 +58,13 @@ TEST(MapInsertion, ABlindBearingLeavesTheCellsAsTheyWere) {
 }
 
 TEST(MapInsertion, WithMrptsDefaultOptionABlindBearingIsFreeFarOut) {
-    // Which is why the option has to be switched off: nothing that a scan could hold prevents it.
+    // Which is why the option has to be switched off: nothing that a beam could hold prevents it.
     EXPECT_TRUE(COccupancyGridMap2D::TInsertionOptions().considerInvalidRangesAsFreeSpace);
     const auto grid = grid_with(cycle(), true);
-    EXPECT_GT(at(grid, -20, 1), 0.55);
-    EXPECT_GT(at(grid, -20, 5), 0.55);
+    EXPECT_GT(at(grid, -20, 7.0), 0.51) << "half of maxDistanceInsertion, 15 m";
+    EXPECT_NEAR(at(grid, -20, 7.7), 0.5, 0.01);
+    EXPECT_GT(at(grid, 16, 1.8), 0.51) << "half of the valid range before it, 4.05 m";
+    EXPECT_NEAR(at(grid, 16, 2.3), 0.5, 0.01);
 }
 
 TEST(MapInsertion, APointsMapTakesScanAndPoints) {

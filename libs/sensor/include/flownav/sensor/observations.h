@@ -17,7 +17,7 @@ namespace flownav {
 /// beam that ends at an obstacle is valid. A bearing whose floor was confirmed is INVALID with the confirmed
 /// range in its range field, one without evidence is invalid with range 0: maps must not take invalid beams
 /// for free space (insertionOptions.considerInvalidRangesAsFreeSpace = false). MRPT's default does, as far as
-/// half of the nearest valid range before it or of maxDistanceInsertion, whatever the beam or maxRange say.
+/// half of the valid range before it or of maxDistanceInsertion, whatever the beam or maxRange say.
 mrpt::obs::CObservation2DRangeScan::Ptr scan_observation(const pipeline::Step& step, double range_max_m);
 
 /// FLOW_POINTS: the obstacle points of a finished cycle, robot frame; an empty cloud when there are none.
