@@ -1,6 +1,6 @@
 #include "numbered_files.h"
 
-#include <regex>
+#include <algorithm>
 #include <utility>
 
 #include "flownav/sensor/config.h"
@@ -9,16 +9,20 @@ namespace flownav::producer {
 
 NumberedFiles::NumberedFiles(std::filesystem::path folder, const std::string& format)
     : folder_(std::move(folder)) {
-    static const std::regex one_number("([^%]*)%(0?)([1-9]?)d([^%]*)");
-    std::smatch parts;
-    if (!std::regex_match(format, parts, one_number)) {
+    const auto percent = format.find('%');
+    const auto letter = format.find_first_not_of("0123456789", percent + 1);
+    const std::string width = format.substr(std::min(percent + 1, format.size()), letter - percent - 1);
+    const bool one_number = percent != std::string::npos && letter != std::string::npos &&
+                            format[letter] == 'd' && format.find('%', letter) == std::string::npos &&
+                            width.size() <= 2;
+    if (!one_number) {
         throw ConfigError("left_format = " + format +
                           " is no name with one number (allowed: such as image_%05d.png)");
     }
-    before_ = parts[1];
-    zeros_ = parts[2].length() > 0;
-    width_ = parts[3].length() > 0 ? std::stoi(parts[3]) : 0;
-    after_ = parts[4];
+    before_ = format.substr(0, percent);
+    zeros_ = !width.empty() && width.front() == '0';
+    width_ = width.empty() ? 0 : std::stoi(width);
+    after_ = format.substr(letter + 1);
 }
 
 std::filesystem::path NumberedFiles::file(int index) const {
