@@ -40,6 +40,7 @@ OF_PROGRAM = {
     "python3": {"python3"},
     "rawlog-edit": {"mrpt-apps"},
     "rawlog-grabber": {"mrpt-apps"},
+    "xdotool": {"xdotool"},
     "Xvfb": {"xvfb"},
     "sudo": set(),  # only where one is not root; looked for first
 } | {name: set() for name in "apt-get cat dirname dpkg-query env id mkdir nproc sed".split()}
