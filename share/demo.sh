@@ -9,13 +9,13 @@ out=$root/out/demo
 "$root/share/install-packages.sh"
 cd "$root"
 cmake --preset release
-cmake --build --preset release --target flownav-replay
+cmake --build --preset release --target flownav-replay flownav-view
 
 if [ "$out/report.html" -nt "$program" ] && [ "$out/report.html" -nt "$drive" ]; then
     echo "The drive has been replayed already."
 else
     mkdir -p "$out"
-    "$program" "$drive" --output "$out"
+    "$program" "$drive" --output "$out" --video "$out/drive.mp4" --timing
 fi
 
 cat <<END
@@ -26,4 +26,7 @@ What the sensor made of the drive is in $out
   trajectory.tum               the path of the robot
   egomotion.csv, obstacles.csv the numbers behind them (share/doc/outputs.md explains every column)
   result.rawlog                the same for MRPT's own tools, such as RawLogViewer
+
+Every block of every field, on a screen:
+  build/release/apps/view/flownav-view share/datasets/corridor.rawlog
 END
