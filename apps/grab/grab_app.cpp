@@ -125,19 +125,21 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
 void load_plugins(const std::vector<std::string>& plugins) {
     for (const std::string& plugin : plugins) {
         std::string reason;
-        if (!mrpt::system::loadPluginModule(plugin, reason))
-            throw GrabUsageError("--plugin " + plugin + ": cannot be loaded: " + reason);
+        if (mrpt::system::loadPluginModule(plugin, reason)) continue;
+        std::string message = "--plugin " + plugin;
+        message += ": cannot be loaded: ";
+        throw GrabUsageError(message + reason);
     }
 }
 
 int grab(const CommandLine& command, const StopSignals& signals, std::ostream& out, std::ostream& error) {
     load_plugins(command.plugins);
     CFlowObstacleSensor::doRegister();
-    GrabSetup setup = read_grab_setup(command.config);
+    const GrabSetup setup = read_grab_setup(command.config);
     for (const std::string& warning : setup.warnings) error << "flownav-grab: warning: " << warning << '\n';
     GrabOptions options = command.options;
     options.recording.gz_level = setup.gz_level;
-    Grabber grabber(std::move(setup), options);
+    Grabber grabber(setup, options);
     GrabProgress progress(command.quiet ? Progress::Style::Silent : Progress::style_for(stdout));
     while (!grabber.done()) {
         if (signals.wait(std::chrono::milliseconds(50))) break;

@@ -43,7 +43,7 @@ void GrabProgress::update(double elapsed_s, const WriterCounts& counts) {
     std::fflush(stdout);
 }
 
-void GrabProgress::finish() {
+void GrabProgress::finish() const {
     if (drawn_) std::printf("\n");
     std::fflush(stdout);
 }

@@ -14,7 +14,7 @@ class GrabProgress {
     void update(double elapsed_s, const WriterCounts& counts);
 
     /// Ends the line on a terminal.
-    void finish();
+    void finish() const;
 
   private:
     Progress::Style style_;

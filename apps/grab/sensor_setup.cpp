@@ -65,8 +65,8 @@ void read_global(const mrpt::config::CConfigFileBase& ini, GrabSetup& setup) {
 
 }  // namespace
 
-GrabSetup read_grab_setup(const std::filesystem::path& file) {
-    const auto ini = loaded(file);
+GrabSetup read_grab_setup(const std::filesystem::path& ini_file) {
+    const auto ini = loaded(ini_file);
     GrabSetup setup;
     read_global(ini, setup);
     std::vector<std::string> sections;
@@ -77,7 +77,7 @@ GrabSetup read_grab_setup(const std::filesystem::path& file) {
         setup.sensors.push_back(configured(ini, section));
     }
     if (setup.sensors.empty()) {
-        throw GrabUsageError(file.string() +
+        throw GrabUsageError(ini_file.string() +
                              " names no sensor: it needs a section with driver and process_rate");
     }
     return setup;

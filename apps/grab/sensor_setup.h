@@ -31,7 +31,7 @@ struct GrabSetup {
 /// Makes and configures the sensors of every section, except [global] and those with
 /// rawlog-grabber-ignore = true. Throws GrabUsageError: no such file, no sensor, an unknown driver, or
 /// what a driver says about its keys.
-GrabSetup read_grab_setup(const std::filesystem::path& ini);
+GrabSetup read_grab_setup(const std::filesystem::path& ini_file);
 
 /// The sentence of an exception of MRPT, without its marks and its call stack.
 std::string plain_sentence(const std::string& what);

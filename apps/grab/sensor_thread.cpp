@@ -43,6 +43,7 @@ struct SensorThread::Shared {
     const SensorSetup setup;
     const std::shared_ptr<DiskWriter> writer;
     std::atomic<double> last_sign_s{now_s()};
+    std::atomic<bool> waits_for_disk{false};
 
     mutable std::mutex mutex;
     std::condition_variable changed;
@@ -98,7 +99,9 @@ void SensorThread::Shared::pass_on() {
                             {}};
         mrpt::serialization::ObjectToOctetVector(object.get(), queued.bytes);
         if (is_recorded(time)) {
+            waits_for_disk = true;
             writer->put_when_there_is_room(std::move(queued));
+            waits_for_disk = false;
         } else {
             writer->put(std::move(queued));
         }
@@ -156,7 +159,7 @@ bool SensorThread::wait_until(Clock::time_point latest) {
 SensorState SensorThread::state() const {
     const std::lock_guard lock(shared_->mutex);
     SensorState state = shared_->state;
-    state.silent_s = now_s() - shared_->last_sign_s;
+    state.silent_s = shared_->waits_for_disk ? 0.0 : now_s() - shared_->last_sign_s;
     return state;
 }
 

@@ -15,10 +15,10 @@ namespace {
 
 [[noreturn]] void become(const std::string& program, const std::vector<char*>& argv, const char* log,
                          std::uint64_t file_bytes_max) {
-    close(STDIN_FILENO);
-    const int file = open(log, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND, 0644);
+    const int file = open(log, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0644);
     dup2(file, STDOUT_FILENO);
     dup2(file, STDERR_FILENO);
+    close(STDIN_FILENO);
     const rlimit limit{file_bytes_max, file_bytes_max};
     if (file_bytes_max > 0) setrlimit(RLIMIT_FSIZE, &limit);
     execv(program.c_str(), argv.data());
@@ -31,9 +31,9 @@ int meaning(int state) {
 
 }  // namespace
 
-Child::Child(const std::string& program, const std::vector<std::string>& arguments,
-             const std::filesystem::path& log, std::uint64_t file_bytes_max)
-    : log_(log) {
+Child::Child(const std::string& program, const std::vector<std::string>& arguments, std::filesystem::path log,
+             std::uint64_t file_bytes_max)
+    : log_(std::move(log)) {
     std::vector<char*> argv = {const_cast<char*>(program.c_str())};
     for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);

@@ -11,8 +11,8 @@ namespace flownav::testing {
 class Child {
   public:
     /// `file_bytes_max` limits the size of the files it writes, like a disk that is full; 0: no limit.
-    Child(const std::string& program, const std::vector<std::string>& arguments,
-          const std::filesystem::path& log, std::uint64_t file_bytes_max = 0);
+    Child(const std::string& program, const std::vector<std::string>& arguments, std::filesystem::path log,
+          std::uint64_t file_bytes_max = 0);
     ~Child();
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;

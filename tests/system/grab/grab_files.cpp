@@ -13,9 +13,10 @@ Contents contents_of(const fs::path& rawlog) {
     Contents contents;
     try {
         RawlogReader reader(rawlog);
-        while (const auto observation = reader.next())
+        while (const auto observation = reader.next()) {
             contents.sightings.emplace_back(observation->sensorLabel,
                                             observation->timestamp.time_since_epoch().count());
+        }
         contents.end = reader.end();
     } catch (const InputError& error) {
         contents.end.kind = ReadEnd::Kind::Corrupt;
@@ -64,7 +65,7 @@ std::string two_sensors(const fs::path& journal) {
 
 fs::path grab_folder() {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    const fs::path folder = fs::path(::testing::TempDir()) / "grab" / test->test_suite_name() / test->name();
+    fs::path folder = fs::path(::testing::TempDir()) / "grab" / test->test_suite_name() / test->name();
     fs::remove_all(folder);
     fs::create_directories(folder);
     return folder;

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 #include <mrpt/core/Clock.h>
-#include <signal.h>
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
