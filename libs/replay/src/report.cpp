@@ -17,6 +17,13 @@ namespace flownav {
 
 namespace {
 
+constexpr auto mostly_without_motion =
+    "The motion is not known for most of the drive: the table of statuses below says why.";
+constexpr auto mostly_without_speed =
+    "The speed was not measured in most cycles, so way and distances are not to be trusted: the floor near "
+    "the "
+    "robot shows too little texture, or the robot hardly moved.";
+
 std::string box(bool good, const std::string& text) {
     return std::string("<p class='") + (good ? "good" : "bad") + "'>" + html::escaped(text) + "</p>\n";
 }
@@ -36,14 +43,8 @@ std::string short_facts(const Drive& drive) {
         " s; the turn rate was measured in " + fixed_text(ok_percent, 1) + " % of them, the speed in " +
         std::to_string(with_speed) + " of " + std::to_string(finished) + " finished cycles, which gave " +
         std::to_string(drive.written.obstacle_points) + " obstacle points.");
-    if (ok_percent < 50.0)
-        html += box(false,
-                    "The motion is not known for most of the drive: the table of statuses below says why.");
-    if (2 * with_speed < finished)
-        html +=
-            box(false,
-                "The speed was not measured in most cycles, so way and distances are not to be trusted: the "
-                "floor near the robot shows too little texture, or the robot hardly moved.");
+    if (ok_percent < 50.0) html += box(false, mostly_without_motion);
+    if (2 * with_speed < finished) html += box(false, mostly_without_speed);
     return html;
 }
 
@@ -65,9 +66,13 @@ std::string strip(const Drive& drive) {
     std::string html = "<div id='strip' tabindex='0'>\n";
     for (const Filmstrip::Picture& picture : drive.filmstrip.pictures()) {
         const std::string time_s = fixed_text(picture.timestamp_s - drive.rows.front().timestamp_s, 2);
-        html += "<figure><img alt='annotated field at " + time_s + " s' src='" +
-                data_uri("image/jpeg", picture.jpeg) + "'><figcaption>" + time_s +
-                " s</figcaption></figure>\n";
+        html += "<figure><img alt='annotated field at ";
+        html += time_s;
+        html += " s' src='";
+        html += data_uri("image/jpeg", picture.jpeg);
+        html += "'><figcaption>";
+        html += time_s;
+        html += " s</figcaption></figure>\n";
     }
     return html + "</div>\n";
 }
