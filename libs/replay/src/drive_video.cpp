@@ -18,12 +18,19 @@ constexpr double period_s = 1.0 / DriveVideo::rate_hz;
 constexpr int gap_px = 8;
 constexpr int band_px = 48;
 constexpr int spare_px = 24;  ///< the legend may grow by a line
+constexpr int widest_px = 1920;
 const cv::Scalar paper(255, 255, 255);
 const cv::Scalar ink(30, 30, 30);
 
 /// H.264 wants even numbers.
 int even(int pixels) {
     return pixels + pixels % 2;
+}
+
+/// The size of the video for a canvas: no wider than what every player shows.
+cv::Size video_size(const cv::Size& canvas) {
+    if (canvas.width <= widest_px) return canvas;
+    return {widest_px, even(cvRound(1.0 * canvas.height * widest_px / canvas.width))};
 }
 
 cv::Size canvas_size(const cv::Mat& field) {
@@ -83,11 +90,12 @@ void DriveVideo::write(const Field& field, const pipeline::Step& step,
     last_s_ = now_s;
     if (due_s_ > now_s + period_s / 2) return;
     const cv::Mat annotated = annotated_field(field, step);
-    const cv::Size size = first ? canvas_size(annotated) : picture_.size();
-    const cv::Mat window = map_window(map, scene_, map_size_m_, size.height - band_px);
+    if (first) canvas_px_ = canvas_size(annotated);
+    const cv::Mat window = map_window(map, scene_, map_size_m_, canvas_px_.height - band_px);
     const std::string text =
         "time " + fixed_text(now_s - start_s_, 2) + " s    driven " + fixed_text(driven_m_, 2) + " m";
-    picture_ = composed(size, annotated, window, text);
+    cv::resize(composed(canvas_px_, annotated, window, text), picture_, video_size(canvas_px_), 0, 0,
+               cv::INTER_AREA);
     put();
 }
 

@@ -51,6 +51,7 @@ class DriveVideo {
     double start_s_ = 0.0;
     double last_s_ = 0.0;
     double due_s_ = 0.0;
+    cv::Size canvas_px_;  ///< decided by the first field
     cv::Mat picture_;
     std::uint64_t frames_ = 0;
 };
