@@ -49,9 +49,10 @@ Filmstrip::Picture picture_of(const Field& field, const pipeline::Step& step, co
     Filmstrip::Picture picture;
     picture.timestamp_s = step.timestamp_s;
     picture.fates = fates_of(step);
-    for (const ObstaclePoint& point : step.obstacles)
-        picture.points_m.push_back(
-            transform(step.T_start_robot, Eigen::Vector2d(point.position_m.head<2>())));
+    for (const ObstaclePoint& point : step.obstacles) {
+        const Eigen::Vector2d at_m = point.position_m.head<2>();
+        picture.points_m.push_back(transform(step.T_start_robot, at_m));
+    }
     picture.jpeg = jpeg_of(field, step, look);
     return picture;
 }

@@ -36,18 +36,22 @@ std::vector<Cell> explained(std::vector<Cell> cells, const std::string& key) {
     return cells;
 }
 
+std::string joined(const std::string& path, const std::string& name) {
+    return std::string(path).append(".").append(name);
+}
+
 /// A row for every figure of a part of the summary; lists of warnings stand elsewhere.
 std::string figure_rows(const Json& part, const std::string& path) {
     std::string rows;
     for (const auto& [name, value] : part.items()) {
-        const std::string key = path + "." + name;
+        const std::string key = joined(path, name);
         if (value.is_array()) continue;
         if (!value.is_object()) {
             rows += row(explained({name, value_cell(value)}, key), key);
             continue;
         }
         for (const auto& [label, count] : value.items())
-            rows += row(explained({label, value_cell(count)}, key), key + "." + label);
+            rows += row(explained({label, value_cell(count)}, key), joined(key, label));
     }
     return rows;
 }
@@ -104,9 +108,10 @@ std::string rejected(const InputCounts& read) {
     std::string rows;
     for (const auto& [reason, count] : read.rejected)
         rows += row({reason, number(count), {"left out"}, {reason_words(reason)}}, "rejected." + reason);
-    for (const auto& [warning, count] : read.warnings)
+    for (const auto& [warning, count] : read.warnings) {
         rows += row({warning, number(count), {"used all the same"}, {reason_words(warning)}},
                     "warnings." + warning);
+    }
     if (rows.empty()) return html::paragraph("Nothing was rejected.");
     return html::table({{"reason"}, {"count", true}, {"what became of it"}, {"in words"}}, rows);
 }

@@ -59,7 +59,7 @@ json series_of(const json& chart, const std::string& name) {
 /// Keys of every figure in a part of the summary, as in "read.fields".
 void collect_keys(const json& part, const std::string& path, std::vector<std::string>& keys) {
     for (const auto& [name, value] : part.items()) {
-        const std::string key = path.empty() ? name : path + "." + name;
+        const std::string key = path.empty() ? name : std::string(path).append(".").append(name);
         if (value.is_object()) collect_keys(value, key, keys);
         if (value.is_primitive()) keys.push_back(key);
     }
@@ -92,10 +92,12 @@ TEST(Report, EveryReasonHasWords) {
     for (const char* warning : {"image_size_changed", "calibration_changed", "calibration_of_another_size"})
         drive.read.warnings[warning] = 1;
     const std::string html = report_of(drive);
-    for (const auto& counts : {drive.read.rejected, drive.read.warnings})
-        for (const auto& [reason, count] : counts)
+    for (const auto& counts : {drive.read.rejected, drive.read.warnings}) {
+        for (const auto& [reason, count] : counts) {
             EXPECT_FALSE(has(html, "<td>" + reason + "</td></tr>"))
                 << "said in its own words only: " << reason;
+        }
+    }
     EXPECT_TRUE(has(html, "pose of the odometry: has the same time stamp as the one before"));
 }
 
@@ -269,7 +271,7 @@ TEST(MapPicture, ShowsTheKnownPartWithYUp) {
 
 TEST(MapPicture, AVeryLargeMapComesWithLargerCells) {
     mrpt::maps::COccupancyGridMap2D map(0, 500, 0, 10, 0.1F);
-    for (float x = 1; x < 499; x += 0.1F) map.setPos(x, 5.0F, 0.9F);
+    for (int x_dm = 10; x_dm < 4990; ++x_dm) map.setPos(0.1F * static_cast<float>(x_dm), 5.0F, 0.9F);
     const MapPicture picture = map_picture(map, {});
     EXPECT_LE(picture.cells.cols, 4000);
     EXPECT_NEAR(picture.cell_m, 0.2, 1e-6);
