@@ -6,7 +6,7 @@ namespace flownav::view {
 
 namespace {
 
-constexpr auto retry_after = std::chrono::milliseconds(200);
+constexpr auto retry_after = std::chrono::milliseconds(20);
 
 std::vector<MapPoint> points_of(const Frame& frame) {
     std::vector<MapPoint> points;

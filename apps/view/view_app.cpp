@@ -7,6 +7,7 @@
 #include "flownav/core/version.h"
 #include "flownav/replay/output_file.h"
 #include "flownav/replay/replay.h"
+#include "live_spool.h"
 #include "state_json.h"
 
 namespace flownav::view {
@@ -20,11 +21,14 @@ constexpr auto help = R"(Looks at a rawlog through the optic-flow sensor: why it
 
 flownav-view FILE.rawlog [--config FILE.ini] [--set section.key=value]... [--follow] [--size WxH]
 flownav-view FILE.rawlog --screenshot F.png [--at SECONDS] [--point U,V] [--size WxH]
+flownav-view --live CONFIG.ini [--size WxH]
 
   FILE.rawlog               images of one camera (and odometry, ground truth), plain or gz
   --config FILE.ini         configuration; flownav-config --doc lists every key
   --set section.key=value   sets one key, after the file; may be given several times
   --follow                  the rawlog is still being written: go on at its end
+  --live CONFIG.ini         a camera, stream, video or folder, configured as for rawlog-grabber with the driver
+                            CFlowObstacleSensor; its fields go to a temporary rawlog (25 PAL fields: 5.5 MB)
   --size WxH                size of the window or picture in pixels, at least 640x480, default 1440x900
   --screenshot F.png        save a picture instead of opening a window; needs no display
   --at SECONDS              the moment to show first, from the start of the drive, default 0
@@ -106,6 +110,7 @@ std::optional<ViewCommand> parse(const std::vector<std::string>& arguments, std:
     TCLAP::ValueArg<double> at("", "at", "", false, 0.0, "SECONDS", command);
     TCLAP::ValueArg<std::string> point("", "point", "", false, "", "U,V", command);
     TCLAP::ValueArg<std::string> size("", "size", "", false, "1440x900", "WxH", command);
+    TCLAP::ValueArg<std::string> live("", "live", "", false, "", "CONFIG.ini", command);
     TCLAP::SwitchArg follow("", "follow", "", command);
     TCLAP::SwitchArg print_state("", "print-state", "", command);
     std::vector<const char*> argv;
@@ -115,11 +120,16 @@ std::optional<ViewCommand> parse(const std::vector<std::string>& arguments, std:
         if (output.failed()) throw ConfigError("");
         return std::nullopt;
     }
-    const std::string input = only_input(inputs.getValue());
+    if (live.isSet() &&
+        (!inputs.getValue().empty() || file.isSet() || settings.isSet() || screenshot.isSet()))
+        throw ConfigError(
+            "--live takes all from its own ini: no FILE.rawlog, --config, --set or --screenshot");
+    const std::string input = live.isSet() ? "" : only_input(inputs.getValue());
     ViewCommand result;
     result.options.input = input;
     result.options.config = configuration(file.getValue(), settings.getValue());
-    result.options.follow = follow.getValue();
+    result.options.follow = follow.getValue() || live.isSet();
+    result.live = live.getValue();
     result.size = size_of(size.getValue());
     result.screenshot = screenshot.getValue();
     result.at_s = at.getValue();
@@ -163,6 +173,23 @@ int save_screenshot(const ViewCommand& command, std::ostream& out, std::ostream&
     return status_of(model, error);
 }
 
+int look(const ViewCommand& command, const OpenWindow& open_window, std::ostream& out, std::ostream& error) {
+    ViewModel model(command.options);
+    model.hover(command.pointed_px);
+    const int status = open_window(model, command, out, error);
+    return status == 0 ? status_of(model, error) : status;
+}
+
+/// The window outlives the source: what came is still there to be looked at.
+int look_live(ViewCommand command, const OpenWindow& open_window, std::ostream& out, std::ostream& error) {
+    const LiveSpool spool(command.live);
+    command.options.input = spool.file();
+    command.options.config = spool.config();
+    command.options.name = spool.source();
+    command.problem = [&spool] { return spool.problem(); };
+    return look(command, open_window, out, error);
+}
+
 }  // namespace
 
 int run_view_app(const std::vector<std::string>& arguments, const OpenWindow& open_window, std::ostream& out,
@@ -175,10 +202,8 @@ int run_view_app(const std::vector<std::string>& arguments, const OpenWindow& op
         const auto command = parse(arguments, out, error);
         if (!command) return 0;
         if (!command->screenshot.empty()) return save_screenshot(*command, out, error);
-        ViewModel model(command->options);
-        model.hover(command->pointed_px);
-        const int status = open_window(model, *command, out, error);
-        return status == 0 ? status_of(model, error) : status;
+        if (!command->live.empty()) return look_live(*command, open_window, out, error);
+        return look(*command, open_window, out, error);
     } catch (const ConfigError& exception) {
         say(exception);
         return usage_status;

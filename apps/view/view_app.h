@@ -16,6 +16,8 @@ struct ViewCommand {
     double at_s = 0.0;                          ///< from the start of the drive
     std::optional<Eigen::Vector2d> pointed_px;  ///< at this pixel of the field
     bool print_state = false;
+    std::string live;                      ///< ini of a live source instead of a rawlog
+    std::function<std::string()> problem;  ///< of the live source, empty while it runs; may be null
 };
 
 /// Opens a window on the model and returns the exit status when it has been closed.

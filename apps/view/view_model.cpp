@@ -28,7 +28,7 @@ bool has_place(const pipeline::BlockRecord& block) {
 ViewModel::ViewModel(const ViewOptions& options)
     : options_(options),
       config_(options.config),
-      name_(options.input.filename().string()),
+      name_(options.name.empty() ? options.input.filename().string() : options.name),
       checkpoints_(options.checkpoint_bytes),
       earlier_checkpoints_(options.checkpoint_bytes),
       runner_(options.input, options.config) {
@@ -61,8 +61,10 @@ bool ViewModel::poll() {
     scout_->set_stride(checkpoints_.stride());
     take_poses(news.poses);
     take_rows(news);
-    const bool changed = !news.rows.empty() || news.complete != timeline_.complete;
-    timeline_.complete = news.complete;
+    // The end of a file that still grows is no end.
+    const bool complete = news.complete && (!options_.follow || !news.failure.empty());
+    const bool changed = !news.rows.empty() || complete != timeline_.complete;
+    timeline_.complete = complete;
     timeline_.end = news.end;
     timeline_.stop_reason = news.failure.empty() ? news.stop_reason : news.failure;
     timeline_.progress = news.progress;

@@ -18,6 +18,7 @@ struct ViewOptions {
     std::filesystem::path input;
     Config config;
     Scout::Way way = Scout::Way::Thread;
+    std::string name;                            ///< to show; empty: that of the file
     bool follow = false;                         ///< the rawlog still grows
     std::size_t checkpoint_bytes = 100'000'000;  ///< twice that while parameters change
 };
@@ -64,6 +65,8 @@ class ViewModel {
     const Timeline& timeline() const { return timeline_; }
     const InputCounts& counts() const { return counts_; }
     const std::string& name() const { return name_; }
+    bool follows() const { return options_.follow; }
+    std::size_t last_index() const { return timeline_.rows.empty() ? 0 : timeline_.rows.size() - 1; }
     const Checkpoints& checkpoints() const { return checkpoints_; }
 
     // A stretch for export; both ends are shown fields

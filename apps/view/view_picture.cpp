@@ -35,6 +35,7 @@ std::string where_text(const ViewModel& model) {
 /// How far the background has come, or how the file ends.
 std::string news_text(const ViewModel& model, const Look& look) {
     if (!look.note.empty()) return look.note;
+    if (model.follows() && !model.timeline().complete) return "following";
     if (!model.timeline().complete)
         return "reading ahead: " + fixed_text(100.0 * model.timeline().progress, 0) + " %";
     return model.timeline().end_text();

@@ -22,13 +22,19 @@ constexpr double most_ahead_m = 100.0;
 }  // namespace
 
 ViewSession::ViewSession(ViewModel& model, const ViewCommand& command, std::ostream& out)
-    : model_(model), command_(command), out_(out), size_(command.size), look_(look_for(model.config())) {}
+    : model_(model), command_(command), out_(out), size_(command.size), look_(look_for(model.config())) {
+    if (!model.follows()) return;
+    model_.show(model_.last_index());
+    model_.set_playing(true);
+}
 
 bool ViewSession::turn(double elapsed_s) {
     const std::size_t before = model_.frame().index;
+    if (command_.problem && look_.note.empty()) look_.note = command_.problem();
     const bool preview = model_.frame().preview;
     news_ = model_.poll() || news_;
     since_news_s_ += elapsed_s;
+    go_where_asked();
     if (clip_) {
         continue_clip();
     } else {
@@ -165,6 +171,15 @@ void ViewSession::continue_clip() {
         look_.note = error.what();
     }
     clip_.reset();
+}
+
+/// --at, as soon as the background has read so far.
+void ViewSession::go_where_asked() {
+    const Timeline& timeline = model_.timeline();
+    if (command_.at_s <= 0.0 || timeline.rows.empty()) return;
+    if (!timeline.complete && timeline.time_s(model_.last_index()) < command_.at_s) return;
+    model_.show_at(command_.at_s);
+    command_.at_s = 0.0;
 }
 
 void ViewSession::print_state() {

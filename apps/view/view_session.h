@@ -59,6 +59,7 @@ class ViewSession {
     void begin_clip();
     void continue_clip();
     void change_speed(double factor);
+    void go_where_asked();
     void print_state();
 
     ViewModel& model_;

@@ -52,6 +52,16 @@ TEST_F(Session, KeysMoveThroughTheDrive) {
     EXPECT_TRUE(session.over());
 }
 
+TEST_F(Session, BeginsWhereItWasAskedTo) {
+    command.at_s = 2.0;
+    ViewSession session(model, command, out);
+    session.turn(0.0);
+    EXPECT_NEAR(model.timeline().time_s(model.frame().index), 2.0, 0.09);
+    session.act(Action::Home);
+    session.turn(0.0);
+    EXPECT_EQ(model.frame().index, 0U) << "only once";
+}
+
 TEST_F(Session, AClickInTheChartGoesThere) {
     ViewSession session(model, command, out);
     const cv::Rect strip = layout_of(session.size()).strip;
