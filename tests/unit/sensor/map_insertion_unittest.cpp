@@ -51,9 +51,9 @@ TEST(MapInsertion, AScanMarksItsObstacleAndWhatLiesBefore) {
 TEST(MapInsertion, ABlindBearingLeavesTheCellsAsTheyWere) {
     const auto grid = grid_with(cycle(), false);
     for (const double bearing_deg : {-38.0, -20.0, -12.0, 12.0, 16.0}) {
-        for (double range_m = 0.5; range_m < 8; range_m += 0.1)
-            ASSERT_NEAR(at(grid, bearing_deg, range_m), 0.5, 0.01)
-                << bearing_deg << " deg, " << range_m << " m";
+        for (int cell = 5; cell < 80; ++cell) {
+            ASSERT_NEAR(at(grid, bearing_deg, 0.1 * cell), 0.5, 0.01) << bearing_deg << " deg, cell " << cell;
+        }
     }
 }
 
@@ -88,8 +88,9 @@ TEST(MapInsertion, ACycleThatSawNothingChangesNoMap) {
     step.scan.beams.assign(41, {});
     step.obstacles.clear();
     const auto grid = grid_with(step, false);
-    for (float x = -9; x < 9; x += 0.5F)
-        for (float y = -9; y < 9; y += 0.5F) ASSERT_NEAR(grid.getPos(x, y), 0.5, 0.01);
+    for (int bearing_deg = -180; bearing_deg < 180; bearing_deg += 5) {
+        for (int cell = 0; cell < 90; ++cell) ASSERT_NEAR(at(grid, bearing_deg, 0.1 * cell), 0.5, 0.01);
+    }
     mrpt::maps::CSimplePointsMap points;
     points.insertObservation(*scan_observation(step, 8.0));
     points.insertObservation(*points_observation(step));

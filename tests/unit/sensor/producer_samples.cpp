@@ -9,6 +9,16 @@
 
 #include "flownav/replay/rawlog_reader.h"
 
+#if defined(__SANITIZE_ADDRESS__)
+#include <sanitizer/lsan_interface.h>
+#endif
+
+/// Leaks of the libraries behind MRPT's grabbers, which are not for this project to mend.
+extern "C" const char* __lsan_default_suppressions();   // NOLINT(bugprone-reserved-identifier)
+extern "C" const char* __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier)
+    return "leak:libavutil\nleak:libusb\n";
+}
+
 namespace flownav::testing {
 
 namespace fs = std::filesystem;
@@ -67,6 +77,10 @@ std::vector<Field> all_fields(LiveFields& live) {
 }
 
 std::string reason_not_to_open(const std::string& lines) {
+#if defined(__SANITIZE_ADDRESS__)
+    const __lsan::ScopedDisabler
+        drivers_are_unloaded;  // and their leaks then have no name to suppress them by
+#endif
     try {
         LiveFields live(producer_settings(lines));
     } catch (const InputError& error) {
