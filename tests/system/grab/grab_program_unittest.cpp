@@ -229,7 +229,7 @@ TEST_F(GrabProgram, WhatADiskTooSlowCostsIsReported) {
 
 TEST_F(GrabProgram, ClosedStandardStreamsDoNoHarm) {
     sensor("turns = 20\nthen = throw");
-    const std::string command = "exec \"$0\" \"$@\" <&- >&- 2>&-";
+    const std::string command = R"(exec "$0" "$@" <&- >&- 2>&-)";
     Child child("/bin/sh",
                 {"-c", command, FLOWNAV_GRAB, ini, "--output", rawlog, "--plugin", FLOWNAV_TEST_SENSOR},
                 folder / "log");
@@ -303,15 +303,16 @@ TEST_F(GrabProgram, RawlogEditReadsWhatAKilledRecordingHolds) {
     EXPECT_EQ(child->wait(), -SIGKILL);
     const Contents contents = contents_of(rawlog);
     // rawlog-edit misreads every file where its standard input is closed.
-    const std::string command = "exec \"$0\" \"$@\" </dev/null";
+    const std::string command = R"(exec "$0" "$@" </dev/null)";
     EXPECT_EQ(
         Child("/bin/sh", {"-c", command, FLOWNAV_RAWLOG_EDIT, "-i", rawlog, "--info"}, folder / "log").wait(),
         0);
     std::istringstream lines(log());
     std::string said;
-    for (std::string line; std::getline(lines, line);)
-        if (line.find("Overall number of objects") != std::string::npos)
-            said = line.substr(line.find(':') + 2);
+    for (std::string line; std::getline(lines, line);) {
+        const bool found = line.find("Overall number of objects") != std::string::npos;
+        if (found) said = line.substr(line.find(':') + 2);
+    }
     EXPECT_EQ(said, std::to_string(contents.sightings.size())) << log();
 }
 

@@ -38,7 +38,7 @@ inline std::string unpacked(const std::filesystem::path& file) {
 
 inline std::filesystem::path grab_test_folder() {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    const std::filesystem::path folder =
+    std::filesystem::path folder =
         std::filesystem::path(::testing::TempDir()) / "unit_grab" / test->test_suite_name() / test->name();
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);

@@ -15,6 +15,7 @@ QueuedObject object(std::int64_t time, std::size_t bytes = 1) {
 
 std::vector<std::int64_t> times(const std::vector<QueuedObject>& objects) {
     std::vector<std::int64_t> all;
+    all.reserve(objects.size());
     for (const QueuedObject& o : objects) all.push_back(o.time_100ns);
     return all;
 }
