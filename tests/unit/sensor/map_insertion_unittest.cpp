@@ -34,11 +34,13 @@ float at(const COccupancyGridMap2D& grid, double bearing_deg, double range_m) {
                        static_cast<float>(range_m * std::sin(bearing_deg * deg)));
 }
 
-/// The farthest free cell along a bearing.
+/// The farthest free cell along a bearing, up to a beam to either side.
 double free_up_to_m(const COccupancyGridMap2D& grid, double bearing_deg) {
     double farthest_m = 0;
     for (int step = 0; step < 190; ++step) {
-        if (at(grid, bearing_deg, 0.05 * step) > 0.51) farthest_m = 0.05 * step;
+        for (const double aside_deg : {-2.0, -1.0, 0.0, 1.0, 2.0}) {
+            if (at(grid, bearing_deg + aside_deg, 0.05 * step) > 0.51) farthest_m = 0.05 * step;
+        }
     }
     return farthest_m;
 }
