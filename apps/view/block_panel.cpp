@@ -52,7 +52,7 @@ cv::Mat heat_map(const SadWindow& window) {
     cv::Mat outside(search_px, search_px, CV_8UC1, cv::Scalar(0));
     for (int row = 0; row < search_px; ++row) {
         for (int column = 0; column < search_px; ++column) {
-            const std::uint16_t cost = window.surface.at(static_cast<std::size_t>(row * search_px + column));
+            const std::uint16_t cost = window.surface.at(std::size_t{search_px} * row + column);
             if (cost == no_cost) outside.at<std::uint8_t>(row, column) = 255;
             const double share = (std::min<double>(cost, scale.high) - scale.low) / (scale.high - scale.low);
             heat.at<std::uint8_t>(row, column) = cv::saturate_cast<std::uint8_t>(255.0 * share);

@@ -9,7 +9,7 @@
 namespace flownav::view {
 
 /// Every number of a block's record, as "name  value unit" lines.
-std::vector<std::string> block_lines(const Frame& frame, std::size_t block);
+std::vector<std::string> block_lines(const Frame& frame, std::size_t index);
 
 /// A block under the mouse (8-bit BGR, `size`): its numbers, and its SAD surface with minimum and second
 /// minimum marked. Without a block it says what to do.

@@ -22,7 +22,7 @@ struct FieldPlace {
     double zoom_y = 1.0;
 
     /// The pixel of the field under a pixel of the panel; nothing beside the field.
-    std::optional<Eigen::Vector2d> field_px(const cv::Point& panel_px) const;
+    std::optional<Eigen::Vector2d> field_px(const cv::Point& at) const;
     cv::Point panel_px(const Eigen::Vector2d& field_px) const;
 };
 

@@ -88,8 +88,9 @@ cv::Size size_of(const std::string& text) {
 std::string only_input(const std::vector<std::string>& inputs) {
     if (inputs.empty()) throw ConfigError("needs FILE.rawlog; try flownav-view --help");
     for (const std::string& input : inputs) {
-        if (input.rfind('-', 0) == 0)
+        if (input.rfind('-', 0) == 0) {
             throw ConfigError("unknown argument " + input + "; try flownav-view --help");
+        }
     }
     if (inputs.size() > 1) throw ConfigError("shows one rawlog at a time, not also " + inputs[1]);
     std::error_code problem;
@@ -121,9 +122,10 @@ std::optional<ViewCommand> parse(const std::vector<std::string>& arguments, std:
         return std::nullopt;
     }
     if (live.isSet() &&
-        (!inputs.getValue().empty() || file.isSet() || settings.isSet() || screenshot.isSet()))
+        (!inputs.getValue().empty() || file.isSet() || settings.isSet() || screenshot.isSet())) {
         throw ConfigError(
             "--live takes all from its own ini: no FILE.rawlog, --config, --set or --screenshot");
+    }
     const std::string input = live.isSet() ? "" : only_input(inputs.getValue());
     ViewCommand result;
     result.options.input = input;

@@ -135,7 +135,8 @@ void ViewSession::resize(const cv::Size& size) {
 std::string ViewSession::next_file(const std::string& ending) const {
     const std::string stem = std::filesystem::path(model_.name()).stem().string();
     for (int i = 1;; ++i) {
-        const std::string file = stem + "-view-" + std::to_string(i) + ending;
+        std::string file = stem;
+        file.append("-view-").append(std::to_string(i)).append(ending);
         if (!std::filesystem::exists(file)) return file;
     }
 }
