@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flownav/replay/no_field.h"
-
 namespace flownav::view {
 
 namespace {
@@ -42,7 +40,7 @@ void ViewModel::require_field() {
     if (runner_.advance()) return;
     counts_ = runner_.counts();
     if (runner_.end().kind != ReadEnd::Kind::Clean) throw InputError(runner_.end().message);
-    throw ConfigError(no_field_message(options_.input, counts_, config_.camera));
+    throw ConfigError(why_no_field(counts_, options_.input.string(), config_.camera.camera_label));
 }
 
 void ViewModel::restart_scout() {

@@ -27,15 +27,6 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     }
 }
 
-/// "a (3), b (1)"
-std::string listed(const std::map<std::string, std::uint64_t>& counts) {
-    std::string text;
-    for (const auto& [name, count] : counts) {
-        text += (text.empty() ? "" : ", ") + name + " (" + std::to_string(count) + ')';
-    }
-    return text;
-}
-
 /// Whether two paths lead to the same file, which need not exist yet.
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
     std::error_code error;
@@ -103,7 +94,10 @@ class Run {
         }
         // The results shall not depend on where the file lies.
         replace_all(drive_.end.message, options_.input.string(), drive_.input_name);
-        if (!outputs_ && drive_.end.kind == ReadEnd::Kind::Clean) throw UsageError(no_field_message());
+        if (!outputs_ && drive_.end.kind == ReadEnd::Kind::Clean) {
+            throw UsageError(
+                why_no_field(drive_.read, options_.input.string(), options_.config.camera.camera_label));
+        }
     }
 
     void read_events(RawlogReader& reader) {
@@ -193,15 +187,6 @@ class Run {
                std::to_string(ok) + " ok), " + std::to_string(drive_.written.cycles) + " cycles, " +
                std::to_string(drive_.written.obstacle_points) + " obstacle points; see " +
                (options_.output / "report.html").string();
-    }
-
-    std::string no_field_message() const {
-        const std::string message = "no field could be used in " + options_.input.string() + ": ";
-        if (drive_.read.images > 0)
-            return message + "all images were rejected: " + listed(drive_.read.rejected);
-        if (drive_.read.observations.empty()) return message + "it holds no observation";
-        return message + "it has no image labelled " + options_.config.camera.camera_label + " but " +
-               listed(drive_.read.observations) + "; set camera.camera_label";
     }
 
     const ReplayOptions& options_;

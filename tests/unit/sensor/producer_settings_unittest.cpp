@@ -52,6 +52,13 @@ TEST(ProducerSettings, KeysAreReadWithTheirComments) {
     EXPECT_EQ(settings.end_wait_s, 0.0);
 }
 
+TEST(ProducerSettings, LinesCommentedOutAreNoKeys) {
+    const auto settings = producer_settings(
+        "// rate_hz = 5\n//camera.nonsense = 1\n# paced = yes\n; paced = yes\n" + rawlog_lines);
+    EXPECT_FALSE(settings.rate_hz);
+    EXPECT_FALSE(settings.paced);
+}
+
 TEST(ProducerSettings, TheSectionOverridesTheIniOfFlownav) {
     const auto ini = producer_folder() / "robot.ini";
     std::ofstream(ini) << "[camera]\nheight_m = 0.7\npitch_deg = 20\n[flow]\nblocks = 200\n";

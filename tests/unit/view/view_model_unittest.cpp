@@ -4,7 +4,6 @@
 
 #include <random>
 
-#include "flownav/replay/no_field.h"
 #include "flownav/replay/number_text.h"
 #include "flownav/replay/replay.h"
 #include "view_samples.h"

@@ -23,9 +23,12 @@ std::string text_of(const CConfigFileBase& ini, const std::string& section, cons
     return trim(ini.read_string(section, key, ""));
 }
 
+/// Without lines commented out by //, which MRPT takes for keys.
 std::vector<std::string> keys_of(const CConfigFileBase& ini, const std::string& section) {
     std::vector<std::string> keys;
     ini.getAllKeys(section, keys);
+    const auto comment = [](const std::string& key) { return key.rfind("//", 0) == 0; };
+    keys.erase(std::remove_if(keys.begin(), keys.end(), comment), keys.end());
     return keys;
 }
 

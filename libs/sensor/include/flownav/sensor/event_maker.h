@@ -41,7 +41,7 @@ struct InputCounts {
     std::map<std::string, std::uint64_t> observations;  ///< everything read, by "class label"
 };
 
-/// Why `source` gave no field at all, for people.
+/// Why `source`, read to its clean end, gave no field at all, and what to do.
 std::string why_no_field(const InputCounts& counts, const std::string& source,
                          const std::string& camera_label);
 
