@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
@@ -87,6 +88,17 @@ class Window : public ::testing::Test {
         return screen(cv::Rect({0, 0}, command.size)).clone();
     }
 
+    /// How far the display is from the session's picture, in grey levels. The display shows what was drawn
+    /// when it gets to it, not at once.
+    double difference_on_display() {
+        double difference = HUGE_VAL;
+        for (int i = 0; i < 50 && difference >= 2.0; ++i) {
+            difference = cv::norm(on_display(), session->picture(), cv::NORM_INF);
+            if (difference >= 2.0) show();
+        }
+        return difference;
+    }
+
     static std::unique_ptr<XDisplay> display;
     std::unique_ptr<ViewModel> model;
     ViewCommand command;
@@ -99,9 +111,7 @@ std::unique_ptr<XDisplay> Window::display;
 
 TEST_F(Window, ShowsThePictureOfTheSessionToThePixel) {
     press(GLFW_KEY_END);
-    cv::Mat difference;
-    cv::absdiff(on_display(), session->picture(), difference);
-    EXPECT_LT(cv::norm(difference, cv::NORM_INF), 2.0);
+    EXPECT_LT(difference_on_display(), 2.0);
     EXPECT_GT(pixels_of(on_display(), style_of(BlockFate::Obstacle)->colour), 500);
 }
 
@@ -146,9 +156,7 @@ TEST_F(Window, TheMouseOverABlockShowsItsNumbers) {
     EXPECT_EQ(hovered["flow_px"][0], record.vector.flow_px.x());
     EXPECT_EQ(hovered["confidence"], record.vector.confidence);
     EXPECT_TRUE(hovered.contains("sad"));
-    cv::Mat difference;
-    cv::absdiff(on_display(), session->picture(), difference);
-    EXPECT_LT(cv::norm(difference, cv::NORM_INF), 2.0);
+    EXPECT_LT(difference_on_display(), 2.0);
 }
 
 TEST_F(Window, AClickInTheChartGoesThere) {
