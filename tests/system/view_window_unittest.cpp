@@ -1,6 +1,7 @@
 #include "view_window.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -31,8 +32,12 @@ int pixels_of(const cv::Mat& picture, const cv::Scalar& colour) {
 /// The real window on a display of its own, driven through the events that the window system would send.
 class Window : public ::testing::Test {
   protected:
+    /// Of this process alone: tests run side by side.
+    static std::filesystem::path display_folder() {
+        return std::filesystem::path(::testing::TempDir()) / ("view_display_" + std::to_string(::getpid()));
+    }
     static void SetUpTestSuite() {
-        display = XDisplay::start(std::filesystem::path(::testing::TempDir()) / "view_display");
+        display = XDisplay::start(display_folder());
         if (!display) return;
         setenv("DISPLAY", display->name().c_str(), 1);
         nanogui::init();
@@ -40,6 +45,7 @@ class Window : public ::testing::Test {
     static void TearDownTestSuite() {
         if (display) nanogui::shutdown();
         display.reset();
+        std::filesystem::remove_all(display_folder());
     }
 
     void SetUp() override {

@@ -30,10 +30,11 @@ using mrpt::obs::CObservationOdometry;
 using mrpt::obs::CObservationPointCloud;
 namespace fs = std::filesystem;
 
-/// A drive of 24 images, rendered once.
+/// A drive of 24 images, rendered once; in a folder of the test that asks first, for tests run side by side.
 const fs::path& drive() {
     static const fs::path file = [] {
-        const fs::path folder = fs::path(::testing::TempDir()) / "flownav_producer_drive";
+        const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+        const fs::path folder = fs::path(::testing::TempDir()) / "flownav_producer_drive" / test->name();
         fs::create_directories(folder);
         SceneOptions options;
         options.images = 24;
