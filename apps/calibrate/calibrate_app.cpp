@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "command_output.h"
+#include "configuration.h"
 #include "flownav/core/version.h"
 #include "flownav/replay/calibration.h"
 
@@ -42,18 +43,6 @@ struct CommandLine {
     CalibrationOptions options;
     bool quiet = false;
 };
-
-Config configuration(const std::string& file, const std::vector<std::string>& settings) {
-    Config config;
-    if (!file.empty()) load_config_file(config, file);
-    for (const std::string& setting : settings) {
-        const auto equals = setting.find('=');
-        if (equals == std::string::npos)
-            throw ConfigError("--set " + setting + ": needs the form section.key=value");
-        set_config_value(config, setting.substr(0, equals), setting.substr(equals + 1));
-    }
-    return config;
-}
 
 /// What the arguments ask for, or nothing when they have been answered; then `status` says how.
 std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std::ostream& out,

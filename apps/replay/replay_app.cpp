@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "command_output.h"
+#include "configuration.h"
 #include "flownav/core/version.h"
 #include "flownav/replay/replay.h"
 #include "flownav/sensor/config.h"
@@ -58,17 +59,9 @@ struct CommandLine {
     bool quiet = false;
 };
 
-/// Values of the configuration, from the file and then from --set. Throws ConfigError.
+/// With the number of threads. Throws ConfigError.
 Config configuration(const std::string& file, const std::vector<std::string>& settings, int threads) {
-    Config config;
-    if (!file.empty()) load_config_file(config, file);
-    for (const std::string& setting : settings) {
-        const auto equals = setting.find('=');
-        if (equals == std::string::npos) {
-            throw ConfigError("--set " + setting + ": needs the form section.key=value");
-        }
-        set_config_value(config, setting.substr(0, equals), setting.substr(equals + 1));
-    }
+    Config config = flownav::configuration(file, settings);
     if (threads < 1 || threads > most_threads) {
         throw ConfigError("--threads " + std::to_string(threads) + ": must be 1.." +
                           std::to_string(most_threads));

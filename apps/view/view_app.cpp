@@ -4,6 +4,7 @@
 
 #include "clip.h"
 #include "command_output.h"
+#include "configuration.h"
 #include "flownav/core/version.h"
 #include "flownav/replay/output_file.h"
 #include "flownav/replay/replay.h"
@@ -46,19 +47,6 @@ Exit status:
   2  the input is damaged or ended early; what is readable is shown
   3  output could not be written
 )";
-
-Config configuration(const std::string& file, const std::vector<std::string>& settings) {
-    Config config;
-    if (!file.empty()) load_config_file(config, file);
-    for (const std::string& setting : settings) {
-        const auto equals = setting.find('=');
-        if (equals == std::string::npos) {
-            throw ConfigError("--set " + setting + ": needs the form section.key=value");
-        }
-        set_config_value(config, setting.substr(0, equals), setting.substr(equals + 1));
-    }
-    return config;
-}
 
 /// Two numbers with a separator between them.
 std::pair<double, double> two_numbers(const std::string& option, const std::string& text, char separator) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "grid_cells.h"
+
 namespace flownav {
 
 namespace {
@@ -35,20 +37,6 @@ cv::Rect path_part(const Grid& grid, const std::vector<FieldRow>& rows) {
     return part;
 }
 
-/// One pixel a cell, y up. Outside the grid MRPT returns 0.5, unknown.
-cv::Mat cells(const Grid& grid, const cv::Rect& part) {
-    cv::Mat picture(part.size(), CV_8UC1, cv::Scalar(128));
-    for (int row = 0; row < part.height; ++row) {
-        for (int column = 0; column < part.width; ++column) {
-            const int x = part.x + column;
-            const int y = part.y + part.height - 1 - row;
-            picture.at<std::uint8_t>(row, column) =
-                static_cast<std::uint8_t>(std::lround(255 * grid.getCell(x, y)));
-        }
-    }
-    return picture;
-}
-
 }  // namespace
 
 MapPicture map_picture(const Grid& grid, const std::vector<FieldRow>& rows) {
@@ -60,7 +48,7 @@ MapPicture map_picture(const Grid& grid, const std::vector<FieldRow>& rows) {
     const auto whole = [&](int length) { return (length / together + 1) * together; };
     part = cv::Rect(part.x - margin_cells, part.y - margin_cells, whole(part.width + 2 * margin_cells),
                     whole(part.height + 2 * margin_cells));
-    picture.cells = cells(grid, part);
+    picture.cells = grid_cells(grid, part);
     picture.cell_m = together * static_cast<double>(grid.getResolution());
     picture.left_m = grid.getXMin() + part.x * static_cast<double>(grid.getResolution());
     picture.bottom_m = grid.getYMin() + part.y * static_cast<double>(grid.getResolution());

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "flownav/replay/number_text.h"
+#include "grid_cells.h"
 
 namespace flownav {
 
@@ -38,18 +39,6 @@ struct Projection {
     }
 };
 
-/// The cells about the robot, one pixel a cell, y up. Outside the grid MRPT returns 0.5, unknown.
-cv::Mat cells(const Grid& grid, const cv::Rect& part) {
-    cv::Mat picture(part.size(), CV_8UC1);
-    for (int row = 0; row < part.height; ++row) {
-        for (int column = 0; column < part.width; ++column) {
-            const float free = grid.getCell(part.x + column, part.y + part.height - 1 - row);
-            picture.at<std::uint8_t>(row, column) = static_cast<std::uint8_t>(std::lround(255.0F * free));
-        }
-    }
-    return picture;
-}
-
 cv::Mat background(const Grid& grid, const Projection& projection, double size_m, int size_px) {
     const Eigen::Vector2d corner_m = projection.centre_m.array() - size_m / 2.0;
     const double cell_m = grid.getResolution();
@@ -62,7 +51,7 @@ cv::Mat background(const Grid& grid, const Projection& projection, double size_m
     const cv::Matx23d warp(zoom, 0, left_top.x() + (zoom - 1) / 2.0, 0, zoom,
                            left_top.y() + (zoom - 1) / 2.0);
     cv::Mat picture;
-    cv::warpAffine(cells(grid, part), picture, warp, {size_px, size_px}, cv::INTER_NEAREST,
+    cv::warpAffine(grid_cells(grid, part), picture, warp, {size_px, size_px}, cv::INTER_NEAREST,
                    cv::BORDER_CONSTANT, cv::Scalar::all(128));
     cv::cvtColor(picture, picture, cv::COLOR_GRAY2BGR);
     return picture;
