@@ -15,7 +15,7 @@ MODULES = {
     "pipeline": {"core", "flow", "motion", "obstacles"},
     "mapping": {"core"},
     "sensor": {"pipeline", "mapping"},
-    "nav": {"mapping"},
+    "nav": {"core", "mapping"},
     "sim": {"core"},
     "replay": {"pipeline", "sensor", "mapping"},
     "producer": {"pipeline", "sensor", "replay"},  # libs/sensor/plugin
@@ -29,6 +29,8 @@ LIBRARIES = {
     r"mrpt/": r"mrpt::\w+",
     r"nanoflann\.hpp": r"nanoflann::nanoflann",
     r"nlohmann/": r"nlohmann_json::nlohmann_json",
+    r"sdf/": r"sdformat12::sdformat12",
+    r"(gz|ignition)/math": r"sdformat12::sdformat12",
     r"omp\.h": r"OpenMP::OpenMP_CXX",
     r"opencv2/": r"opencv_\w+",
     r"zlib\.h": r"ZLIB::ZLIB",

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "flownav/core/pose2.h"
+#include "flownav/core/robot_model.h"
+
+namespace flownav::nav {
+
+/// What a navigator may look at when it decides. All poses are in the frame of the robot's odometry, called
+/// `map` here. Cells speak of the probability of being FREE; 0.5 is unknown.
+struct Situation {
+    double time_s = 0.0;
+    Pose2 T_map_robot;
+    MotionCommand motion;                                        ///< how the robot moves now
+    const mrpt::maps::COccupancyGridMap2D* local_map = nullptr;  ///< robot frame, robot in the middle
+    bool obstacles_known = true;  ///< false: the sensor is stale or blind, no step into the unseen
+};
+
+/// What a navigator wants the robot to do.
+struct Decision {
+    MotionCommand command;
+    double free_m = 0.0;  ///< way along the commanded curve that is known to hold no obstacle
+    bool stuck = false;   ///< no way toward the way point is open
+    std::string why;      ///< in a few words, for the log
+};
+
+/// A local navigator: drives toward ONE way point around what the local map shows. `lanes` and `reactive` are
+/// two of them.
+class Navigator {
+  public:
+    Navigator() = default;
+    virtual ~Navigator() = default;
+    Navigator(const Navigator&) = delete;
+    Navigator& operator=(const Navigator&) = delete;
+
+    /// Decides what to do next on the way to `waypoint_m` (map frame). Called every 200 ms or so.
+    virtual Decision decide(const Situation& situation, const Eigen::Vector2d& waypoint_m) = 0;
+};
+
+}  // namespace flownav::nav
