@@ -1,0 +1,45 @@
+#pragma once
+
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "flownav/core/robot_model.h"
+
+namespace flownav::nav {
+
+struct PlanParams {
+    double margin_m = 0.07;      ///< kept beyond the robot's half width, whatever the detour
+    double comfort_m = 0.3;      ///< ways nearer than this to an obstacle, beyond the margin, cost more
+    double comfort_cost = 6.0;   ///< of a metre right at the margin, in metres
+    double unknown_cost = 1.5;   ///< of a metre through unseen ground, in metres
+    double p_occupied = 0.45;    ///< cells less likely FREE than this are obstacles
+    double area_margin_m = 6.0;  ///< how far beside start, goal and map a way may lead
+    double area_max_m = 200.0;   ///< edge of the planned area
+    double look_ahead_m = 1.6;   ///< of the way point that a local navigator is given
+};
+
+/// A way over the map, from the robot to the goal.
+struct Plan {
+    std::vector<Eigen::Vector2d> path_m;  ///< map frame, begins at the robot; never empty
+    double cost_m = 0.0;                  ///< length, and what its places cost beside it
+    /// What a local navigator is to drive to: the farthest point of the path within params.look_ahead_m that
+    /// a straight line reaches over ground no dearer than the path's.
+    Eigen::Vector2d way_point_m = Eigen::Vector2d::Zero();
+    bool reaches_goal = false;  ///< false: the path ends as near to the goal as one can get
+};
+
+/// The cheapest way (A* over the cells of the map, eight neighbours) for the middle of the robot. Cells of
+/// the map speak of the probability of being FREE; 0.5 is unknown, and so is everything outside the map.
+/// When the robot stands too near to an obstacle, the way leads out first.
+Plan plan(const mrpt::maps::COccupancyGridMap2D& map, const Eigen::Vector2d& from_m,
+          const Eigen::Vector2d& goal_m, const RobotModel& robot, const PlanParams& params);
+
+/// Length of a path.
+double length_m(const std::vector<Eigen::Vector2d>& path_m);
+
+/// Half the width of the widest circle about the origin inside the footprint.
+double inscribed_radius_m(const Polygon& footprint);
+
+}  // namespace flownav::nav
