@@ -107,8 +107,12 @@ LocalMap::LocalMap(const MapParams& params)
 void LocalMap::insert(const ObstacleSet& set) {
     history_.push_back(set);
     while (set.timestamp_s - history_.front().timestamp_s > params_.memory_s) history_.pop_front();
+    redraw(set.T_map_robot);
+}
+
+void LocalMap::redraw(const Pose2& T_map_robot) {
     grid_.fill(0.5F);
-    const Pose2 T_robot_map = inverse(set.T_map_robot);
+    const Pose2 T_robot_map = inverse(T_map_robot);
     for (const ObstacleSet& old : history_) {
         const bool newest = &old == &history_.back();
         fuse(grid_, old, compose(T_robot_map, old.T_map_robot), newest ? Movers::Insert : Movers::LeaveOut);

@@ -39,6 +39,9 @@ class LocalMap {
 
     /// Adds a set, forgets what is too old, and redraws the grid around set.T_map_robot.
     void insert(const ObstacleSet& set);
+
+    /// Redraws the grid around a robot that has moved on since the last set.
+    void redraw(const Pose2& T_map_robot);
     const mrpt::maps::COccupancyGridMap2D& grid() const { return grid_; }
 
   private:

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flownav/nav/navigator.h"
+#include "flownav/nav/planner.h"
+
+namespace flownav::nav {
+
+/// When ways are planned on the map of everything seen so far.
+enum class PlanPolicy {
+    Always,  ///< the navigator follows a plan
+    Stuck,   ///< it drives straight at the goal, and gets a plan when it is stuck
+    Never,   ///< it is on its own
+};
+
+/// What the pilot is doing. From Driving, when it is stuck, through the manoeuvres and back.
+enum class PilotState {
+    Driving,       ///< the navigator drives to the way point
+    TurningToWay,  ///< in place, toward the plan
+    LookingLeft,   ///< in place
+    LookingRight,  ///< in place, past the middle
+    BackingOff,    ///< straight back, over ground that was seen or driven over
+    Arrived,       ///< standing at the goal; final
+    Blocked,       ///< standing, out of ideas; final
+};
+
+/// The word of a state, as logs have it.
+const char* to_string(PilotState state);
+
+struct PilotParams {
+    PlanPolicy plan = PlanPolicy::Always;
+    PlanParams planner;
+    double goal_radius_m = 0.3;  ///< arrived when this near
+    double stuck_s = 0.8;        ///< the navigator sees no way for so long: a manoeuvre
+    double no_progress_s = 6.0;  ///< without coming 0.15 m nearer: a manoeuvre
+    double back_off_m = 0.35;    ///< as far as known ground lasts
+    double look_rad = 0.9;       ///< to either side
+    double turn_radps = 0.5;     ///< of manoeuvres; at most the robot's
+    int manoeuvres_max = 15;     ///< without progress: blocked
+};
+
+/// What the pilot decided, and all that a log or a picture shows of it.
+struct PilotDecision {
+    PilotState state = PilotState::Driving;
+    MotionCommand command;
+    Eigen::Vector2d waypoint_m = Eigen::Vector2d::Zero();  ///< map frame
+    std::vector<Eigen::Vector2d> path_m;                   ///< the plan, map frame; empty: none
+    double free_m = 0.0;                                   ///< see Decision
+    std::string why;
+};
+
+/// Leads a local navigator to a goal, past dead ends: plans way points on the map of everything seen, and
+/// frees the robot with manoeuvres when it is stuck. Its state machine:
+///
+///     Driving -> (stuck, or no progress) -> one manoeuvre -> Driving; the manoeuvres take turns:
+///     TurningToWay, BackingOff then TurningToWay, LookingLeft then LookingRight then TurningToWay
+///     Driving -> (goal reached) -> Arrived       Driving -> (manoeuvres_max in one place) -> Blocked
+///
+/// Decides from what it is given; no clock.
+class Pilot {
+  public:
+    /// `goals_m`: way points in the map frame, the last one is the goal. Throws std::invalid_argument: none.
+    Pilot(const RobotModel& robot, const PilotParams& params, std::unique_ptr<Navigator> navigator,
+          std::vector<Eigen::Vector2d> goals_m);
+
+    /// A robot that follows a way point fixed in ITS OWN frame, for ever.
+    Pilot(const RobotModel& robot, std::unique_ptr<Navigator> navigator,
+          const Eigen::Vector2d& waypoint_robot_m);
+
+    /// Called every 100 or 200 ms. `map` holds everything seen so far, map frame.
+    PilotDecision decide(const Situation& situation, const mrpt::maps::COccupancyGridMap2D& map);
+
+  private:
+    struct Progress {
+        double time_s = 0.0;
+        double to_go_m = 0.0;
+    };
+
+    bool is_at_goal(const Situation& situation);
+    void aim(const Situation& situation, const mrpt::maps::COccupancyGridMap2D& map);
+    void drive(const Situation& situation);
+    void note_progress(const Situation& situation);
+    void begin_manoeuvre(const Situation& situation);
+    void enter(PilotState state, const Situation& situation);
+    void manoeuvre(const Situation& situation);
+    void turn_to(double yaw_rad, const Situation& situation);
+    void back_off(const Situation& situation, double far_enough_m);
+    void next_of_sequence(const Situation& situation);
+
+    RobotModel robot_;
+    PilotParams params_;
+    std::unique_ptr<Navigator> navigator_;
+    std::vector<Eigen::Vector2d> goals_m_;
+    std::optional<Eigen::Vector2d> waypoint_robot_m_;
+    std::size_t goal_ = 0;  ///< the one that is driven to
+    PilotDecision decision_;
+    std::optional<Plan> plan_;
+    Progress best_;  ///< nearest to the goal so far, and when
+    std::optional<double> stuck_since_s_;
+    bool planning_ = false;             ///< PlanPolicy::Stuck: until the next goal
+    int manoeuvres_ = 0;                ///< since the last progress
+    std::vector<PilotState> sequence_;  ///< of the running manoeuvre, the next step last
+    double entered_s_ = 0.0;            ///< when the state began
+    Pose2 entered_at_;                  ///< and where
+};
+
+}  // namespace flownav::nav

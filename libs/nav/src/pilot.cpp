@@ -1,0 +1,227 @@
+#include "flownav/nav/pilot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace flownav::nav {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double progress_m = 0.15;       // nearer by this much is progress
+constexpr double turned_rad = 0.06;       // near enough to a wanted heading
+constexpr double manoeuvre_max_s = 8.0;   // a step that takes longer is given up
+constexpr double p_known_free = 0.52;     // of ground to back over
+constexpr double way_of_turning_m = 0.6;  // part of the plan that tells where to turn to
+
+Vector2d position(const Pose2& pose) {
+    return {pose.x_m, pose.y_m};
+}
+
+double heading_to(const Vector2d& from_m, const Vector2d& to_m) {
+    return std::atan2(to_m.y() - from_m.y(), to_m.x() - from_m.x());
+}
+
+/// How far the robot can back over ground that is known to be free, up to `wanted_m`. It stands on the ground
+/// below it, whatever the map says.
+double known_behind_m(const Situation& situation, const RobotModel& robot, double wanted_m) {
+    const auto& map = *situation.local_map;
+    const double step_m = map.getResolution();
+    double rear_m = 0.0;
+    double half_m = 0.0;
+    for (const Vector2d& corner : robot.footprint_m) {
+        rear_m = std::min(rear_m, corner.x());
+        half_m = std::max(half_m, std::abs(corner.y()));
+    }
+    for (double back_m = 0.0; back_m < wanted_m; back_m += step_m) {
+        const double x = rear_m - back_m - step_m;
+        for (double y = -half_m - step_m; y <= half_m + step_m; y += step_m) {
+            if (map.getPos(static_cast<float>(x), static_cast<float>(y)) < p_known_free) return back_m;
+        }
+    }
+    return wanted_m;
+}
+
+}  // namespace
+
+const char* to_string(PilotState state) {
+    constexpr std::array<const char*, 7> words = {
+        "driving", "turning_to_way", "looking_left", "looking_right", "backing_off", "arrived", "blocked"};
+    return words[static_cast<std::size_t>(state)];
+}
+
+Pilot::Pilot(const RobotModel& robot, const PilotParams& params, std::unique_ptr<Navigator> navigator,
+             std::vector<Vector2d> goals_m)
+    : robot_(robot), params_(params), navigator_(std::move(navigator)), goals_m_(std::move(goals_m)) {
+    if (goals_m_.empty()) throw std::invalid_argument("the pilot needs a goal");
+}
+
+Pilot::Pilot(const RobotModel& robot, std::unique_ptr<Navigator> navigator, const Vector2d& waypoint_robot_m)
+    : robot_(robot), navigator_(std::move(navigator)), waypoint_robot_m_(waypoint_robot_m) {}
+
+PilotDecision Pilot::decide(const Situation& situation, const mrpt::maps::COccupancyGridMap2D& map) {
+    decision_.command = {};
+    decision_.why.clear();
+    if (decision_.state == PilotState::Arrived || decision_.state == PilotState::Blocked) return decision_;
+    if (is_at_goal(situation)) {
+        enter(PilotState::Arrived, situation);
+        return decision_;
+    }
+    aim(situation, map);
+    if (decision_.state == PilotState::Driving) {
+        drive(situation);
+    } else {
+        manoeuvre(situation);
+    }
+    return decision_;
+}
+
+bool Pilot::is_at_goal(const Situation& situation) {
+    if (waypoint_robot_m_) return false;
+    while (goal_ < goals_m_.size() &&
+           (goals_m_[goal_] - position(situation.T_map_robot)).norm() <= params_.goal_radius_m) {
+        ++goal_;
+        planning_ = false;
+        best_ = {};
+    }
+    return goal_ == goals_m_.size();
+}
+
+/// Sets the way point.
+void Pilot::aim(const Situation& situation, const mrpt::maps::COccupancyGridMap2D& map) {
+    plan_.reset();
+    decision_.path_m.clear();
+    if (waypoint_robot_m_) {
+        decision_.waypoint_m = transform(situation.T_map_robot, *waypoint_robot_m_);
+        return;
+    }
+    decision_.waypoint_m = goals_m_[goal_];
+    const bool plans = params_.plan == PlanPolicy::Always || planning_;
+    if (!plans || params_.plan == PlanPolicy::Never) return;
+    plan_ = plan(map, position(situation.T_map_robot), goals_m_[goal_], robot_, params_.planner);
+    decision_.path_m = plan_->path_m;
+    decision_.waypoint_m = plan_->way_point_m;
+}
+
+void Pilot::drive(const Situation& situation) {
+    const Decision wanted = navigator_->decide(situation, decision_.waypoint_m);
+    decision_.command = wanted.command;
+    decision_.free_m = wanted.free_m;
+    decision_.why = wanted.why;
+    if (waypoint_robot_m_) return;  // there is no arriving, and no progress
+    note_progress(situation);
+    if (!wanted.stuck) stuck_since_s_.reset();
+    if (wanted.stuck && !stuck_since_s_) stuck_since_s_ = situation.time_s;
+    const bool stuck = stuck_since_s_ && situation.time_s - *stuck_since_s_ >= params_.stuck_s;
+    const bool waits = situation.time_s - best_.time_s >= params_.no_progress_s;
+    if (!situation.obstacles_known) {  // standing still for the guard's reasons is not being stuck
+        best_.time_s = situation.time_s;
+        stuck_since_s_.reset();
+    } else if (stuck || waits) {
+        begin_manoeuvre(situation);
+        decision_.why = stuck ? "no way is open" : "no progress";
+    }
+}
+
+void Pilot::note_progress(const Situation& situation) {
+    // A plan that is found to be closed makes the rest longer: measured against the new one from then on.
+    const double to_go_m =
+        plan_ ? length_m(plan_->path_m) : (goals_m_[goal_] - position(situation.T_map_robot)).norm();
+    const bool first = best_.to_go_m == 0.0;
+    if (first || to_go_m < best_.to_go_m - progress_m || to_go_m > best_.to_go_m + 1.0) {
+        if (!first && to_go_m < best_.to_go_m) manoeuvres_ = 0;
+        best_ = {situation.time_s, to_go_m};
+    }
+}
+
+void Pilot::begin_manoeuvre(const Situation& situation) {
+    stuck_since_s_.reset();
+    planning_ = true;
+    if (++manoeuvres_ > params_.manoeuvres_max) {
+        enter(PilotState::Blocked, situation);
+        return;
+    }
+    switch (manoeuvres_ % 3) {
+        case 1:
+            sequence_ = {PilotState::TurningToWay};
+            break;
+        case 2:
+            sequence_ = {PilotState::TurningToWay, PilotState::BackingOff};
+            break;
+        default:
+            sequence_ = {PilotState::TurningToWay, PilotState::LookingRight, PilotState::LookingLeft};
+            break;
+    }
+    next_of_sequence(situation);
+}
+
+void Pilot::next_of_sequence(const Situation& situation) {
+    if (sequence_.empty()) {
+        best_.time_s = situation.time_s;  // a new chance
+        enter(PilotState::Driving, situation);
+        return;
+    }
+    enter(sequence_.back(), situation);
+    sequence_.pop_back();
+}
+
+void Pilot::enter(PilotState state, const Situation& situation) {
+    decision_.state = state;
+    decision_.command = {};
+    entered_s_ = situation.time_s;
+    entered_at_ = situation.T_map_robot;
+}
+
+void Pilot::manoeuvre(const Situation& situation) {
+    if (situation.time_s - entered_s_ > manoeuvre_max_s) {
+        next_of_sequence(situation);
+        return;
+    }
+    const double yaw_rad = entered_at_.yaw_rad;
+    switch (decision_.state) {
+        case PilotState::TurningToWay: {
+            const Vector2d here_m = position(situation.T_map_robot);
+            Vector2d ahead_m = decision_.waypoint_m;
+            for (const Vector2d& at_m : decision_.path_m) {
+                ahead_m = at_m;
+                if ((at_m - here_m).norm() > way_of_turning_m) break;
+            }
+            turn_to(heading_to(here_m, ahead_m), situation);
+            break;
+        }
+        case PilotState::LookingLeft:
+            turn_to(yaw_rad + params_.look_rad, situation);
+            break;
+        case PilotState::LookingRight:
+            turn_to(yaw_rad - 2.0 * params_.look_rad, situation);
+            break;
+        default:
+            back_off(situation, params_.back_off_m);
+    }
+}
+
+void Pilot::turn_to(double yaw_rad, const Situation& situation) {
+    const double left_rad = wrap_angle(yaw_rad - situation.T_map_robot.yaw_rad);
+    if (std::abs(left_rad) < turned_rad) {
+        next_of_sequence(situation);
+        return;
+    }
+    const double fastest = std::min(params_.turn_radps, robot_.omega_max_radps);
+    decision_.command.omega_radps = std::clamp(2.0 * left_rad, -fastest, fastest);
+}
+
+void Pilot::back_off(const Situation& situation, double far_enough_m) {
+    const double done_m = (position(situation.T_map_robot) - position(entered_at_)).norm();
+    const double known_m = known_behind_m(situation, robot_, far_enough_m);
+    decision_.free_m = known_m;
+    if (done_m >= far_enough_m || known_m < 0.05) {
+        next_of_sequence(situation);
+        return;
+    }
+    decision_.command.v_mps = -robot_.v_back_mps;
+}
+
+}  // namespace flownav::nav
