@@ -9,6 +9,9 @@
 #include "flownav/sensor/config.h"
 #include "flownav/sensor/config_value.h"
 
+// A member of a Config, whether const or not.
+#define AT(member) ([](auto& config) -> auto& { return (config.member); })
+
 namespace flownav::config {
 
 /// One key of the ini: its documentation, and how it reads and writes its place in a Config.
@@ -20,6 +23,21 @@ struct Key {
 
 /// Every key, in the order of the ini. Adding or renaming one is a matter of one line there.
 const std::vector<Key>& key_table();
+
+/// The keys of the section [navigation].
+std::vector<Key> navigation_keys();
+
+/// The words of a text, which blanks and commas part.
+inline std::vector<std::string> words_of(const std::string& text) {
+    constexpr auto separators = " \t,";
+    std::vector<std::string> words;
+    for (auto begin = text.find_first_not_of(separators); begin != std::string::npos;) {
+        const auto end = text.find_first_of(separators, begin);
+        words.push_back(text.substr(begin, end - begin));
+        begin = text.find_first_not_of(separators, end);
+    }
+    return words;
+}
 
 /// The parts of a key's documentation that are written by hand.
 struct Doc {

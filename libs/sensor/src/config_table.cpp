@@ -1,8 +1,5 @@
 #include "config_key.h"
 
-// A member of a Config, whether const or not.
-#define AT(member) ([](auto& config) -> auto& { return (config.member); })
-
 namespace flownav::config {
 namespace {
 
@@ -14,20 +11,9 @@ Key label() {
                     });
 }
 
-std::vector<std::string> split(const std::string& text) {
-    constexpr auto separators = " \t,";
-    std::vector<std::string> words;
-    for (auto begin = text.find_first_not_of(separators); begin != std::string::npos;) {
-        const auto end = text.find_first_of(separators, begin);
-        words.push_back(text.substr(begin, end - begin));
-        begin = text.find_first_not_of(separators, end);
-    }
-    return words;
-}
-
 std::optional<std::array<double, 5>> parse_distortion(const std::string& text) {
     if (text == "recorded") return std::nullopt;
-    const auto words = split(text);
+    const auto words = words_of(text);
     std::array<double, 5> numbers{};
     if (words.size() != numbers.size()) throw BadValue("does not have 5 numbers");
     for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -158,7 +144,8 @@ std::vector<Key> map_keys() {
 const std::vector<Key>& key_table() {
     static const std::vector<Key> table = [] {
         std::vector<Key> all;
-        for (const auto& keys : {camera_keys(), flow_keys(), motion_keys(), obstacle_keys(), map_keys()})
+        for (const auto& keys :
+             {camera_keys(), flow_keys(), motion_keys(), obstacle_keys(), map_keys(), navigation_keys()})
             all.insert(all.end(), keys.begin(), keys.end());
         return all;
     }();

@@ -77,6 +77,21 @@ TEST(Config, ValuesReachTheirPlaces) {
     EXPECT_EQ(with("map.resolution_m", "0.2").map.resolution_m, 0.2);
     EXPECT_EQ(with("map.size_m", "40").map.size_m, 40.0);
     EXPECT_EQ(with("map.memory_s", "2").map.memory_s, 2.0);
+    EXPECT_EQ(with("navigation.navigator", "reactive").navigation.navigator, NavigatorKind::Reactive);
+    EXPECT_EQ(with("navigation.plan", "never").navigation.plan, PlanPolicy::Never);
+    EXPECT_EQ(with("navigation.v_max_mps", "1.2").navigation.robot.v_max_mps, 1.2);
+    EXPECT_EQ(with("navigation.brake_mps2", "2.5").navigation.robot.brake_mps2, 2.5);
+}
+
+TEST(Config, TheFootprintIsKeptCounterClockwiseAroundTheAxis) {
+    const Polygon clockwise =
+        with("navigation.footprint_m", "1 0.5, 1 -0.5, -1 0").navigation.robot.footprint_m;
+    ASSERT_EQ(clockwise.size(), 3U);
+    EXPECT_GT(signed_area_m2(clockwise), 0.0);
+    EXPECT_EQ(clockwise.back(), Eigen::Vector2d(1.0, 0.5));
+    EXPECT_NE(error_of("navigation.footprint_m", "1 0 2 0"), "");
+    EXPECT_NE(error_of("navigation.footprint_m", "1 0 2 0 2 1 1"), "");
+    EXPECT_NE(error_of("navigation.footprint_m", "1 0 2 0 2 1"), "");  // the axis lies outside
 }
 
 TEST(Config, LambdaIsOneKeyForMotionAndObstacles) {

@@ -33,6 +33,14 @@ inline double signed_distance_m(const Polygon& polygon, const Eigen::Vector2d& p
     return inside ? -distance : distance;
 }
 
+/// > 0 when the corners go round counter-clockwise.
+inline double signed_area_m2(const Polygon& polygon) {
+    double twice = 0.0;
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++)
+        twice += polygon[j].x() * polygon[i].y() - polygon[j].y() * polygon[i].x();
+    return twice / 2;
+}
+
 /// Farthest corner from the origin: the radius a robot needs to turn on the spot.
 inline double circumscribed_radius_m(const Polygon& polygon) {
     double radius = 0.0;

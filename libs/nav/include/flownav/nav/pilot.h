@@ -5,17 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "flownav/core/navigation_params.h"
 #include "flownav/nav/navigator.h"
 #include "flownav/nav/planner.h"
 
 namespace flownav::nav {
-
-/// When ways are planned on the map of everything seen so far.
-enum class PlanPolicy {
-    Always,  ///< the navigator follows a plan
-    Stuck,   ///< it drives straight at the goal, and gets a plan when it is stuck
-    Never,   ///< it is on its own
-};
 
 /// What the pilot is doing. From Driving, when it is stuck, through the manoeuvres and back.
 enum class PilotState {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "flownav/core/navigation_params.h"
 #include "flownav/mapping/params.h"
 #include "flownav/pipeline/params.h"
 
@@ -27,6 +28,7 @@ struct Config {
     CameraConfig camera;
     pipeline::Params pipeline;
     MapParams map;
+    NavigationParams navigation;
 };
 
 /// A value, key or file that cannot be used; what() says which, why, and what is allowed.

@@ -11,7 +11,8 @@ namespace flownav {
 /// any name, among keys of others, such as the section of a driver in an ini of rawlog-grabber.
 class ConfigSection : public mrpt::config::CLoadableOptions {
   public:
-    /// `name` is a section of the ini: camera, flow, motion, obstacles or map. `config` must outlive this.
+    /// `name` is a section of the ini: camera, flow, motion, obstacles, map or
+    /// navigation. `config` must outlive this.
     ConfigSection(Config& config, std::string name) : config_(config), name_(std::move(name)) {}
 
     /// Sets the keys that are there. Throws ConfigError: a value that cannot be used.
