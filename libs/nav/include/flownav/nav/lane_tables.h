@@ -1,0 +1,69 @@
+#pragma once
+
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "flownav/core/robot_model.h"
+#include "flownav/nav/footprint_field.h"
+
+namespace flownav::nav {
+
+/// Which lanes there are, and how near to their sides an obstacle is noticed.
+struct LaneLayout {
+    double map_size_m = 10.0;   ///< edge of the local map, robot in the middle
+    double resolution_m = 0.1;  ///< edge of a cell
+    int lanes = 41;             ///< from hard right to hard left, odd: the middle one is straight
+    double radius_min_m = 0.3;  ///< of the hardest turn
+    double length_m = 4.0;      ///< of a lane
+    double margin_m = 0.05;     ///< from footprint to the MIDDLE of a cell: nearer is touching it
+    double side_m = 0.35;       ///< obstacles this near to the footprint count as beside the lane
+    int headings = 48;          ///< straight lanes after turning on the spot
+};
+
+/// The cells of a square map in the robot's frame, row by row, x fastest.
+struct CellGrid {
+    Eigen::Vector2d low_m = Eigen::Vector2d::Zero();  ///< corner of cell 0
+    double cell_m = 0.1;
+    int columns = 0;
+    int rows = 0;
+
+    Eigen::Vector2d middle_of(int column, int row) const {
+        return low_m + cell_m * Eigen::Vector2d(column + 0.5, row + 0.5);
+    }
+    bool fits(const mrpt::maps::COccupancyGridMap2D& map) const;
+};
+
+/// One cell in or beside a lane.
+struct LaneCell {
+    std::uint32_t index = 0;
+    std::uint16_t way = 0;  ///< mm (turning: mrad) at which the robot touches it, or is nearest to it
+    std::uint8_t gap = 0;   ///< to the footprint in units of 5 mm, 0: touched
+};
+constexpr double gap_unit_m = 0.005;
+
+/// An arc, or a straight line after turning by heading_rad on the spot.
+struct Lane {
+    double curvature_1pm = 0.0;  ///< omega / v, > 0 to the left
+    double heading_rad = 0.0;
+    double length_m = 0.0;
+    std::vector<LaneCell> cells;  ///< ordered by way
+};
+
+/// Everything about lanes that does not depend on the map.
+struct LaneTables {
+    LaneLayout layout;
+    RobotModel robot;
+    FootprintField field;
+    CellGrid grid;
+    std::vector<Lane> lanes;                      ///< ordered by curvature, from right to left
+    std::vector<Lane> headings;                   ///< ordered by heading, from -pi
+    std::vector<LaneCell> turn_left, turn_right;  ///< half a turn on the spot
+};
+
+/// Throws std::invalid_argument when the layout makes no sense. Takes about 0.1 s.
+LaneTables make_lane_tables(const RobotModel& robot, const LaneLayout& layout);
+
+}  // namespace flownav::nav

@@ -1,0 +1,114 @@
+#include "lane_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flownav/nav/motion_model.h"
+
+namespace flownav::nav {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double unit_m = 0.001;        // of LaneCell::way
+constexpr double moving_mps = 0.05;     // slower has no curvature worth keeping
+constexpr double weak_share = 0.03;     // of the lane's worth that a cell costs that may be an obstacle
+constexpr double heading_weight = 0.4;  // of pointing away from the way point at the end of a lane
+
+/// Pose at the end of `way_m` of a lane.
+Pose2 end_of(const LaneView& lane, double way_m) {
+    const Pose2 turned{0.0, 0.0, lane.heading_rad};
+    return compose(turned, pose_after({1.0, lane.curvature_1pm}, way_m));
+}
+
+double bearing_rad(const Vector2d& p) {
+    return std::atan2(p.y(), p.x());
+}
+
+/// Way along an arc, within 0..end_m, after which it is nearest to a point.
+double nearest_way_m(const LaneView& lane, const Vector2d& point_m, double end_m) {
+    const Vector2d p = transform(Pose2{0.0, 0.0, -lane.heading_rad}, point_m);
+    const double kappa = lane.curvature_1pm;
+    if (std::abs(kappa) < 1e-6) return std::clamp(p.x(), 0.0, end_m);
+    const double radius_m = 1.0 / kappa;
+    // Angle passed about the middle of the circle, in the direction of driving.
+    double angle = std::atan2(p.x(), std::abs(radius_m) - std::copysign(1.0, kappa) * p.y());
+    const double end_rad = end_m * std::abs(kappa);
+    // Behind the start: nearer to the start or to the end, whichever comes first on the way round.
+    if (angle < 0.0) angle += 2.0 * M_PI;
+    if (angle > end_rad) angle = angle - end_rad < 2.0 * M_PI - angle ? end_rad : 0.0;
+    return angle / std::abs(kappa);
+}
+
+}  // namespace
+
+LaneView look_along(const LaneTables& tables, const Lane& lane, const std::vector<CellKind>& kinds,
+                    const LaneParams& params) {
+    LaneView view;
+    view.curvature_1pm = lane.curvature_1pm;
+    view.heading_rad = lane.heading_rad;
+    view.free_m = view.unseen_m = lane.length_m;
+    const double cell_m2 = tables.grid.cell_m * tables.grid.cell_m;
+    const int unseen_limit = std::max(1, static_cast<int>(std::ceil(params.unseen_area_m2 / cell_m2)));
+    int gap = static_cast<int>(tables.layout.side_m / gap_unit_m);
+    int swept = 0;
+    int unseen_near = 0;
+    int unseen = 0;
+    for (const LaneCell& cell : lane.cells) {
+        const CellKind kind = kinds[cell.index];
+        const double way_m = cell.way * unit_m;
+        const bool is_near = way_m < params.horizon_m;
+        if (cell.gap == 0 && is_near) ++swept;
+        if (kind == CellKind::Free) continue;
+        if (cell.gap > 0) {
+            if (kind == CellKind::Occupied && is_near) gap = std::min<int>(gap, cell.gap);
+        } else if (kind == CellKind::Occupied) {
+            view.free_m = way_m;
+            break;
+        } else if (kind == CellKind::Weak) {
+            view.sure -= weak_share * std::max(0.0, 1.0 - way_m / params.horizon_m);
+        } else {
+            if (is_near) ++unseen_near;
+            if (way_m > params.bumper_m && ++unseen == unseen_limit) view.unseen_m = way_m;
+        }
+    }
+    view.unseen_m = std::min(view.unseen_m, view.free_m);
+    view.gap_m = gap * gap_unit_m;
+    view.sure = std::max(0.0, view.sure);
+    view.seen = swept > 0 ? 1.0 - static_cast<double>(unseen_near) / swept : 1.0;
+    return view;
+}
+
+double nearness(const LaneView& view, const Vector2d& waypoint_m, const LaneParams& params) {
+    const double distance_m = std::max(0.05, waypoint_m.norm());
+    const double usable_m = std::max(0.0, view.free_m - params.standoff_m);
+    const double way_m = nearest_way_m(view, waypoint_m, usable_m);
+    const Vector2d left = transform(inverse(end_of(view, way_m)), waypoint_m);
+    const double away = left.norm() > 0.1 ? (1.0 - std::cos(bearing_rad(left))) / 2 : 0.0;
+    const double rest_m = left.norm() * (1.0 + heading_weight * away);
+    return std::clamp(1.0 - rest_m / distance_m, -1.0, 1.0);
+}
+
+double free_turn_rad(const std::vector<LaneCell>& turn, const std::vector<CellKind>& kinds) {
+    for (const LaneCell& cell : turn)
+        if (cell.gap == 0 && kinds[cell.index] == CellKind::Occupied) return cell.way * unit_m;
+    return M_PI;
+}
+
+double score(const LaneTables& tables, const LaneView& view, const MotionCommand& motion,
+             const LaneParams& params) {
+    const double free = std::min(1.0, view.free_m / params.free_enough_m);
+    double worth = params.weight_near * view.near + params.weight_free * free +
+                   params.weight_gap * view.gap_m / tables.layout.side_m + params.weight_seen * view.seen +
+                   params.weight_sure * view.sure;
+    const bool moves = motion.v_mps > moving_mps;
+    if (moves && view.heading_rad == 0.0) {
+        const double kappa_max = 1.0 / tables.layout.radius_min_m;
+        const double kappa = std::clamp(motion.omega_radps / motion.v_mps, -kappa_max, kappa_max);
+        worth += params.weight_same * (1.0 - std::abs(view.curvature_1pm - kappa) / (2.0 * kappa_max));
+    }
+    worth -= params.weight_turn * std::abs(view.heading_rad) / M_PI;
+    return worth;
+}
+
+}  // namespace flownav::nav

@@ -1,0 +1,181 @@
+#include "flownav/nav/lanes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "flownav/nav/motion_model.h"
+#include "lane_view.h"
+#include "rollout.h"
+
+namespace flownav::nav {
+namespace {
+
+using Eigen::Vector2d;
+using mrpt::maps::COccupancyGridMap2D;
+
+constexpr double least_way_m = 0.05;   // shorter is no way
+constexpr double turning_radps = 0.1;  // and hardly moving: turns on the spot
+constexpr double hardly_mps = 0.08;
+constexpr double turn_gain_1ps = 2.5;  // omega for an angle left to turn
+constexpr double least_turn_radps = 0.25;
+
+class Choice {
+  public:
+    Choice(const LaneTables& tables, const COccupancyGridMap2D& map, const Vector2d& waypoint_m,
+           const MotionCommand& motion, const LaneParams& params)
+        : tables_(tables),
+          waypoint_m_(waypoint_m),
+          motion_(motion),
+          params_(params),
+          kinds_(kinds_of(map, params.limits)) {
+        const double reach_m = stopping_distance_m(tables.robot, tables.robot.v_max_mps) +
+                               tables.robot.v_max_mps * params.period_s;
+        obstacles_m_ = obstacles_near(tables, kinds_, reach_m + tables.field.radius_m());
+        free_left_rad_ = free_turn_rad(tables.turn_left, kinds_);
+        free_right_rad_ = free_turn_rad(tables.turn_right, kinds_);
+    }
+
+    LaneDecision run() {
+        for (const Lane& lane : tables_.lanes) decision_.lanes.push_back(view_of(lane));
+        if (wants_to_turn()) {
+            if (turn_to(bearing_rad(), "turns to the way point")) return decision_;
+            if (turn_to(bearing_rad() - std::copysign(2.0 * M_PI, bearing_rad()), "turns the other way"))
+                return decision_;
+        }
+        if (drive_a_lane()) return decision_;
+        if (turn_to_a_heading()) return decision_;
+        decision_.stuck = true;
+        decision_.why = "no lane is open";
+        return decision_;
+    }
+
+  private:
+    double bearing_rad() const { return std::atan2(waypoint_m_.y(), waypoint_m_.x()); }
+
+    LaneView view_of(const Lane& lane) const {
+        LaneView view = look_along(tables_, lane, kinds_, params_);
+        view.near = nearness(view, waypoint_m_, params_);
+        view.open = view.free_m - params_.standoff_m > least_way_m;
+        view.score = score(tables_, view, motion_, params_);
+        return view;
+    }
+
+    /// A way point behind the robot; and once it turns it goes on until the way point is ahead.
+    bool wants_to_turn() const {
+        const double away_rad = std::abs(bearing_rad());
+        const bool turning = std::abs(motion_.v_mps) < hardly_mps &&
+                             motion_.omega_radps * bearing_rad() > 0.0 &&
+                             std::abs(motion_.omega_radps) > turning_radps;
+        return away_rad > (turning ? params_.turned_rad : params_.behind_rad);
+    }
+
+    bool may_turn(double angle_rad) const {
+        return std::abs(angle_rad) < (angle_rad > 0.0 ? free_left_rad_ : free_right_rad_);
+    }
+
+    bool turn_to(double angle_rad, const char* why) {
+        // Half a turn is all that the tables know; the rest follows when it is done.
+        const double first_rad = std::clamp(angle_rad, -M_PI + 1e-6, M_PI - 1e-6);
+        if (!may_turn(first_rad)) return false;
+        const double fastest =
+            std::min(tables_.robot.omega_max_radps,
+                     std::sqrt(2.0 * tables_.robot.alpha_radps2 * std::abs(angle_rad)) * 0.8);
+        const double omega = std::clamp(turn_gain_1ps * std::abs(angle_rad), least_turn_radps,
+                                        std::max(least_turn_radps, fastest));
+        decision_.command = {0.0, std::copysign(std::min(omega, tables_.robot.omega_max_radps), angle_rad)};
+        decision_.why = why;
+        return true;
+    }
+
+    /// The best open lane from which the robot could still stop.
+    bool drive_a_lane() {
+        std::vector<int> order(decision_.lanes.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::stable_sort(order.begin(), order.end(), [this](int a, int b) {
+            return decision_.lanes[a].score > decision_.lanes[b].score;
+        });
+        for (const double share : {1.0, 0.5, 0.2}) {
+            for (const int i : order) {
+                const LaneView& view = decision_.lanes[i];
+                if (!view.open || view.near <= 0.0) continue;
+                const double v_mps = share * speed_mps(view);
+                const MotionCommand command{v_mps, v_mps * view.curvature_1pm};
+                if (!can_still_stop(tables_, obstacles_m_, motion_, command, params_)) continue;
+                decision_.command = command;
+                decision_.lane = i;
+                decision_.way = {view.free_m, view.unseen_m};
+                if (share < 1.0) decision_.why += ", slow enough to stop";
+                return true;
+            }
+        }
+        return false;
+    }
+
+    double speed_mps(const LaneView& view) {
+        const RobotModel& robot = tables_.robot;
+        struct Limit {
+            double v_mps;
+            const char* why;
+        };
+        const double gap = std::clamp(view.gap_m / tables_.layout.side_m, 0.0, 1.0);
+        const double unseen_m = view.unseen_m - params_.bumper_m;
+        const std::array<Limit, 6> limits = {{
+            {robot.v_max_mps, "drives"},
+            {robot.omega_max_radps / std::max(1e-6, std::abs(view.curvature_1pm)), "turns hard"},
+            {stoppable_speed_mps(robot, view.free_m - params_.standoff_m), "slows for an obstacle"},
+            {view.unseen_m < view.free_m ? std::max(params_.unseen_mps, stoppable_speed_mps(robot, unseen_m))
+                                         : robot.v_max_mps,
+             "slows for unseen ground"},
+            {robot.v_max_mps * (params_.narrow_share + (1.0 - params_.narrow_share) * gap),
+             "slow in a narrow place"},
+            {std::max(params_.arrival_mps, stoppable_speed_mps(robot, waypoint_m_.norm())), "arrives"},
+        }};
+        const Limit least = *std::min_element(
+            limits.begin(), limits.end(), [](const Limit& a, const Limit& b) { return a.v_mps < b.v_mps; });
+        decision_.why = least.why;
+        return least.v_mps;
+    }
+
+    /// No arc is open: the best straight lane after turning on the spot.
+    bool turn_to_a_heading() {
+        for (const Lane& lane : tables_.headings) decision_.headings.push_back(view_of(lane));
+        int best = -1;
+        for (int i = 0; i < static_cast<int>(decision_.headings.size()); ++i) {
+            LaneView& view = decision_.headings[i];
+            view.open = view.open && std::abs(view.heading_rad) > 0.05 && may_turn(view.heading_rad);
+            if (!view.open || view.near <= 0.0) continue;
+            if (best < 0 || view.score > decision_.headings[best].score) best = i;
+        }
+        if (best < 0 || !turn_to(decision_.headings[best].heading_rad, "turns to an open lane")) return false;
+        decision_.heading = best;
+        decision_.way = {decision_.headings[best].free_m, decision_.headings[best].unseen_m};
+        return true;
+    }
+
+    const LaneTables& tables_;
+    const Vector2d waypoint_m_;
+    const MotionCommand motion_;
+    const LaneParams& params_;
+    std::vector<CellKind> kinds_;
+    std::vector<Vector2d> obstacles_m_;
+    double free_left_rad_ = 0.0;
+    double free_right_rad_ = 0.0;
+    LaneDecision decision_;
+};
+
+}  // namespace
+
+LaneDecision choose_lane(const LaneTables& tables, const COccupancyGridMap2D& local_map,
+                         const Vector2d& waypoint_robot_m, const MotionCommand& motion,
+                         const LaneParams& params) {
+    if (!tables.grid.fits(local_map))
+        throw std::invalid_argument(
+            "the local map does not fit the lane tables: make them for its size and "
+            "resolution");
+    return Choice(tables, local_map, waypoint_robot_m, motion, params).run();
+}
+
+}  // namespace flownav::nav

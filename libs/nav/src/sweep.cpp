@@ -1,0 +1,91 @@
+#include "sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flownav::nav {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double nearer_m = 0.008;  // by less the robot does not come nearer to what it stands beside
+constexpr double under_m = 0.06;    // cells deeper below the robot say nothing
+
+/// What is known of one cell while the robot goes along.
+struct Passage {
+    double first_m = std::numeric_limits<double>::infinity();  ///< distance at the beginning
+    double nearest_m = std::numeric_limits<double>::infinity();
+    double nearest_way = 0.0;
+    bool touched = false;
+};
+
+class Sweep {
+  public:
+    Sweep(const FootprintField& field, const CellGrid& grid, const SweepParams& params)
+        : field_(field),
+          grid_(grid),
+          params_(params),
+          passages_(static_cast<std::size_t>(grid.columns) * grid.rows) {}
+
+    void visit(double way, const Pose2& T_robot_there) {
+        const Pose2 T_there_robot = inverse(T_robot_there);
+        const int reach = static_cast<int>(std::ceil(field_.radius_m() / grid_.cell_m));
+        const auto column =
+            static_cast<int>(std::floor((T_robot_there.x_m - grid_.low_m.x()) / grid_.cell_m));
+        const auto row = static_cast<int>(std::floor((T_robot_there.y_m - grid_.low_m.y()) / grid_.cell_m));
+        for (int r = std::max(0, row - reach); r <= std::min(grid_.rows - 1, row + reach); ++r)
+            for (int c = std::max(0, column - reach); c <= std::min(grid_.columns - 1, column + reach); ++c)
+                pass(static_cast<std::size_t>(r) * grid_.columns + c, way,
+                     field_.distance_m(transform(T_there_robot, grid_.middle_of(c, r))));
+    }
+
+    std::vector<LaneCell> cells() const {
+        std::vector<LaneCell> cells;
+        for (std::size_t i = 0; i < passages_.size(); ++i) {
+            const Passage& p = passages_[i];
+            if (!p.touched && !(p.nearest_m < field_.reach_m())) continue;
+            if (p.first_m < -under_m) continue;
+            const double gap = p.touched ? 0.0 : std::max(1.0, p.nearest_m / gap_unit_m);
+            cells.push_back({static_cast<std::uint32_t>(i),
+                             static_cast<std::uint16_t>(std::lround(p.nearest_way / params_.unit)),
+                             static_cast<std::uint8_t>(std::min(255.0, gap))});
+        }
+        std::stable_sort(cells.begin(), cells.end(),
+                         [](const LaneCell& a, const LaneCell& b) { return a.way < b.way; });
+        return cells;
+    }
+
+  private:
+    void pass(std::size_t index, double way, double distance_m) {
+        Passage& p = passages_[index];
+        if (way == 0.0) p.first_m = distance_m;
+        if (p.touched) return;
+        const bool touches = distance_m < params_.margin_m && distance_m < p.first_m - nearer_m;
+        if (touches || distance_m < p.nearest_m - 1e-6) {
+            p.nearest_m = distance_m;
+            p.nearest_way = way;
+        }
+        p.touched = touches;
+    }
+
+    const FootprintField& field_;
+    const CellGrid& grid_;
+    const SweepParams& params_;
+    std::vector<Passage> passages_;
+};
+
+}  // namespace
+
+std::vector<LaneCell> sweep(const FootprintField& field, const CellGrid& grid, const PoseOfWay& pose_of,
+                            const SweepParams& params) {
+    Sweep cells(field, grid, params);
+    const int steps = std::max(1, static_cast<int>(std::ceil(params.end / params.step)));
+    for (int i = 0; i <= steps; ++i) {
+        const double way = params.end * i / steps;
+        cells.visit(way, pose_of(way));
+    }
+    return cells.cells();
+}
+
+}  // namespace flownav::nav
