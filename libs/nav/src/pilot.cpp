@@ -87,6 +87,7 @@ bool Pilot::is_at_goal(const Situation& situation) {
         planning_ = false;
         best_ = {};
     }
+    decision_.last_goal = goal_ + 1 >= goals_m_.size();
     return goal_ == goals_m_.size();
 }
 

@@ -44,6 +44,7 @@ struct PilotDecision {
     Eigen::Vector2d waypoint_m = Eigen::Vector2d::Zero();  ///< map frame
     std::vector<Eigen::Vector2d> path_m;                   ///< the plan, map frame; empty: none
     double free_m = 0.0;                                   ///< see Decision
+    bool last_goal = false;                                ///< all way points but the goal have been reached
     std::string why;
 };
 

@@ -1,0 +1,171 @@
+#include "flownav/nav/pilot.h"
+
+#include <gtest/gtest.h>
+
+#include "flownav/nav/motion_model.h"
+
+namespace flownav::nav {
+namespace {
+
+using Eigen::Vector2d;
+using mrpt::maps::COccupancyGridMap2D;
+
+/// Drives straight at the way point; is stuck for as long as it is told to.
+class SimpleNavigator : public Navigator {
+  public:
+    explicit SimpleNavigator(const bool& stuck) : stuck_(stuck) {}
+
+    Decision decide(const Situation& situation, const Vector2d& waypoint_m) override {
+        Decision decision;
+        decision.stuck = stuck_;
+        if (stuck_) return decision;
+        const Vector2d p = transform(inverse(situation.T_map_robot), waypoint_m);
+        decision.command = {0.4, 2.0 * std::atan2(p.y(), p.x())};
+        return decision;
+    }
+
+  private:
+    const bool& stuck_;
+};
+
+/// A robot that does at once what it is told, in a world that is free as far as it knows.
+class Pilots : public ::testing::Test {
+  protected:
+    Pilots() {
+        map_.fill(0.9F);
+        local_.fill(0.9F);
+    }
+
+    Pilot make(const PilotParams& params, const std::vector<Vector2d>& goals) {
+        return {RobotModel(), params, std::make_unique<SimpleNavigator>(stuck_), goals};
+    }
+
+    PilotDecision step(Pilot& pilot) {
+        const Situation situation{time_s_, pose_, motion_, &local_, true};
+        const PilotDecision decision = pilot.decide(situation, map_);
+        motion_ = decision.command;
+        pose_ = compose(pose_, pose_after(motion_, 0.2));
+        time_s_ += 0.2;
+        return decision;
+    }
+
+    /// Steps until the state changes, at most for so long.
+    PilotState next_state(Pilot& pilot, double longest_s = 30.0) {
+        const double until_s = time_s_ + longest_s;
+        const PilotState before = state_;
+        while (time_s_ < until_s && state_ == before) state_ = step(pilot).state;
+        return state_;
+    }
+
+    COccupancyGridMap2D map_{-10.0F, 10.0F, -10.0F, 10.0F, 0.1F};
+    COccupancyGridMap2D local_{-5.0F, 5.0F, -5.0F, 5.0F, 0.1F};
+    Pose2 pose_;
+    MotionCommand motion_;
+    double time_s_ = 0.0;
+    bool stuck_ = false;
+    PilotState state_ = PilotState::Driving;
+};
+
+TEST_F(Pilots, DriveToTheGoalAndStandThere) {
+    Pilot pilot = make({}, {{3.0, 2.0}});
+    EXPECT_EQ(next_state(pilot), PilotState::Arrived);
+    EXPECT_LT((Vector2d(pose_.x_m, pose_.y_m) - Vector2d(3.0, 2.0)).norm(), 0.3);
+    EXPECT_EQ(step(pilot).command.v_mps, 0.0);
+}
+
+TEST_F(Pilots, VisitWayPointsInTheirOrder) {
+    Pilot pilot = make({}, {{2.0, 1.0}, {2.0, -1.0}, {4.0, 0.0}});
+    bool last = false;
+    for (int i = 0; i < 150 && !last; ++i) last = step(pilot).last_goal;
+    EXPECT_LT((Vector2d(pose_.x_m, pose_.y_m) - Vector2d(2.0, -1.0)).norm(), 0.45);
+    EXPECT_EQ(next_state(pilot), PilotState::Arrived);
+}
+
+TEST_F(Pilots, LeadRoundAWallThatTheMapShows) {
+    for (double y = -2.0; y < 1.0; y += 0.05) map_.setPos(1.5F, static_cast<float>(y), 0.1F);
+    Pilot pilot = make({}, {{3.0, 0.0}});
+    const PilotDecision decision = step(pilot);
+    EXPECT_GT(decision.waypoint_m.y(), 0.5);
+    EXPECT_FALSE(decision.path_m.empty());
+    PilotParams alone;
+    alone.plan = PlanPolicy::Never;
+    Pilot without = make(alone, {{3.0, 0.0}});
+    EXPECT_EQ(step(without).waypoint_m, Vector2d(3.0, 0.0));
+}
+
+TEST_F(Pilots, StuckTurnToTheWayAndDriveOn) {
+    Pilot pilot = make({}, {{-3.0, 0.0}});  // the way leads back
+    stuck_ = true;
+    EXPECT_EQ(next_state(pilot), PilotState::TurningToWay);
+    stuck_ = false;
+    EXPECT_EQ(next_state(pilot), PilotState::Driving);
+    EXPECT_NEAR(std::abs(pose_.yaw_rad), M_PI, 0.15);
+    EXPECT_NEAR(pose_.x_m, 0.0, 0.01);  // on the spot
+}
+
+TEST_F(Pilots, ManoeuvresTakeTurnsUntilTheRobotIsBlocked) {
+    PilotParams params;
+    params.manoeuvres_max = 3;
+    Pilot pilot = make(params, {{3.0, 0.0}});
+    stuck_ = true;
+    using State = PilotState;
+    const std::vector<State> expected = {
+        State::TurningToWay, State::Driving,      State::BackingOff,   State::TurningToWay, State::Driving,
+        State::LookingLeft,  State::LookingRight, State::TurningToWay, State::Driving,      State::Blocked};
+    for (const State state : expected) EXPECT_EQ(next_state(pilot), state) << to_string(state);
+}
+
+TEST_F(Pilots, LookToTheLeftFirstAndThenToTheRight) {
+    Pilot pilot = make({}, {{3.0, 0.0}});
+    stuck_ = true;
+    while (state_ != PilotState::LookingLeft) next_state(pilot);
+    EXPECT_EQ(next_state(pilot), PilotState::LookingRight);
+    EXPECT_NEAR(pose_.yaw_rad, PilotParams().look_rad, 0.15);
+    next_state(pilot);
+    EXPECT_NEAR(pose_.yaw_rad, -PilotParams().look_rad, 0.15);
+}
+
+TEST_F(Pilots, BackOffNoFartherThanTheGroundIsKnown) {
+    for (const double known_m : {0.1, 5.0}) {
+        pose_ = {};
+        state_ = PilotState::Driving;
+        local_.fill(0.9F);
+        for (float y = -1.0F; y < 1.0F; y += 0.05F)
+            for (float x = -5.0F; x < -0.25 - known_m; x += 0.05F) local_.setPos(x, y, 0.5F);
+        Pilot pilot = make({}, {{3.0, 0.0}});
+        stuck_ = true;
+        while (state_ != PilotState::BackingOff) next_state(pilot);
+        const double before_m = pose_.x_m;
+        next_state(pilot);
+        const double moved_m = before_m - pose_.x_m;
+        EXPECT_NEAR(moved_m, known_m > 1.0 ? PilotParams().back_off_m : 0.0, 0.1);
+        EXPECT_LE(moved_m, known_m);
+    }
+}
+
+TEST_F(Pilots, ABlindSensorIsNoReasonForManoeuvres) {
+    Pilot pilot = make({}, {{3.0, 0.0}});
+    stuck_ = true;
+    for (int i = 0; i < 100; ++i) {
+        const Situation situation{0.2 * i, pose_, {}, &local_, false};
+        EXPECT_EQ(pilot.decide(situation, map_).state, PilotState::Driving);
+    }
+}
+
+TEST_F(Pilots, AWayPointOfTheRobotsFrameMovesWithIt) {
+    Pilot pilot(RobotModel(), std::make_unique<SimpleNavigator>(stuck_), {5.0, 2.0});
+    pose_ = {1.0, 0.0, M_PI / 2};
+    const PilotDecision decision = step(pilot);
+    EXPECT_NEAR(decision.waypoint_m.x(), -1.0, 1e-9);
+    EXPECT_NEAR(decision.waypoint_m.y(), 5.0, 1e-9);
+}
+
+TEST(Pilot, WithoutAGoalIsRefused) {
+    const bool stuck = false;
+    EXPECT_THROW(
+        Pilot(RobotModel(), PilotParams(), std::make_unique<SimpleNavigator>(stuck), std::vector<Vector2d>{}),
+        std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace flownav::nav
