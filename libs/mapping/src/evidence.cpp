@@ -1,0 +1,48 @@
+#include "evidence.h"
+
+#include <algorithm>
+
+namespace flownav {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double seen_obstacle = 0.36;  // by a point that is surely in its cell; two cycles make it occupied
+constexpr double seen_floor = 0.57;  // weaker: a block of floor before a thin leg says little about the leg
+
+/// A point whose range is uncertain by more than half a cell says less about that one cell.
+double p_free(const ObstaclePoint& point, double cell_m) {
+    const double share = std::min(1.0, cell_m / 2 / std::max(point.sigma_m, 1e-6));
+    return 0.5 - (0.5 - seen_obstacle) * share * share;
+}
+
+void add_floor(const CellFrame& frame, const Vector2d& near, const Vector2d& far,
+               std::vector<Evidence>& evidence) {
+    const double step = frame.cell_m / 2;
+    const int steps = static_cast<int>((far - near).norm() / step);
+    for (int i = 0; i <= steps; ++i) {
+        const Vector2d p = near + (far - near) * (steps > 0 ? static_cast<double>(i) / steps : 0.0);
+        evidence.push_back({frame.cell_of(p), seen_floor});
+    }
+}
+
+}  // namespace
+
+std::vector<Evidence> evidence_of(const ObstacleSet& set, const Pose2& T_frame_robot,
+                                  const CellFrame& frame) {
+    std::vector<Evidence> evidence;
+    for (const ObstaclePoint& point : set.points) {
+        if (point.moving) continue;
+        const Vector2d p = transform(T_frame_robot, point.position_m.head<2>());
+        evidence.push_back({frame.cell_of(p), p_free(point, frame.cell_m)});
+    }
+    for (const GroundPatch& patch : set.ground) {
+        add_floor(frame, transform(T_frame_robot, patch.near_m), transform(T_frame_robot, patch.far_m),
+                  evidence);
+    }
+    std::sort(evidence.begin(), evidence.end());
+    evidence.erase(std::unique(evidence.begin(), evidence.end()), evidence.end());
+    return evidence;
+}
+
+}  // namespace flownav

@@ -1,0 +1,108 @@
+#include "flownav/mapping/local_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "evidence.h"
+
+namespace flownav {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector2i;
+
+int thousandths(double p_free) {
+    return static_cast<int>(std::lround(1000.0 * std::log(p_free / (1.0 - p_free))));
+}
+
+float probability(int log_odds) {
+    return static_cast<float>(1.0 / (1.0 + std::exp(-1e-3 * log_odds)));
+}
+
+int wrapped(int index, int side) {
+    const int rest = index % side;
+    return rest < 0 ? rest + side : rest;
+}
+
+}  // namespace
+
+LocalMap::LocalMap(const MapParams& params)
+    : params_(params),
+      // A turned square and the evidence just outside it must not meet themselves in the ring.
+      side_(static_cast<int>(std::ceil(1.6 * params.size_m / params.resolution_m))),
+      cells_(static_cast<std::size_t>(side_) * side_),
+      grid_(static_cast<float>(-params.size_m / 2), static_cast<float>(params.size_m / 2),
+            static_cast<float>(-params.size_m / 2), static_cast<float>(params.size_m / 2),
+            static_cast<float>(params.resolution_m)) {}
+
+void LocalMap::insert(const ObstacleSet& set) {
+    const CellFrame frame{Vector2d::Zero(), params_.resolution_m};
+    const Vector2i middle = frame.cell_of({set.T_map_robot.x_m, set.T_map_robot.y_m});
+    Remembered remembered{set.timestamp_s, ++sets_, {}};
+    for (const Evidence& e : evidence_of(set, set.T_map_robot, frame)) {
+        if ((e.cell - middle).cwiseAbs().maxCoeff() >= side_ / 2) continue;
+        remembered.entries.push_back({e.cell, thousandths(e.p_free)});
+        add(remembered.entries.back());
+    }
+    history_.push_back(std::move(remembered));
+    while (set.timestamp_s - history_.front().timestamp_s > params_.memory_s) {
+        forget(history_.front());
+        history_.pop_front();
+    }
+    movers_m_.clear();
+    for (const ObstaclePoint& point : set.points) {
+        if (point.moving) movers_m_.push_back(transform(set.T_map_robot, point.position_m.head<2>()));
+    }
+    redraw(set.T_map_robot);
+}
+
+void LocalMap::redraw(const Pose2& T_map_robot) {
+    const CellFrame frame{Vector2d::Zero(), params_.resolution_m};
+    const int columns = static_cast<int>(grid_.getSizeX());
+    const int rows = static_cast<int>(grid_.getSizeY());
+    for (int y = 0; y < rows; ++y) {
+        for (int x = 0; x < columns; ++x) {
+            const Vector2d p = transform(T_map_robot, {grid_.idx2x(x), grid_.idx2y(y)});
+            grid_.setCell(x, y, probability(log_odds(frame.cell_of(p))));
+        }
+    }
+    // A cell that is askew may miss every middle of the grid: obstacles must not get lost.
+    const Pose2 T_robot_map = inverse(T_map_robot);
+    const CellFrame of_robot{{grid_.getXMin(), grid_.getYMin()}, grid_.getResolution()};
+    for (const Cell& cell : cells_) {
+        if (cell.log_odds >= 0) continue;
+        const Vector2d middle_m = (cell.index.cast<double>() + Vector2d(0.5, 0.5)) * params_.resolution_m;
+        const Vector2i at = of_robot.cell_of(transform(T_robot_map, middle_m));
+        grid_.setCell(at.x(), at.y(), std::min(grid_.getCell(at.x(), at.y()), probability(cell.log_odds)));
+    }
+    for (const Vector2d& mover_m : movers_m_) {
+        const Vector2i at = of_robot.cell_of(transform(T_robot_map, mover_m));
+        grid_.updateCell(at.x(), at.y(), static_cast<float>(p_free_of_mover));
+    }
+}
+
+LocalMap::Cell& LocalMap::place(const Vector2i& index) {
+    return cells_[static_cast<std::size_t>(wrapped(index.y(), side_)) * side_ + wrapped(index.x(), side_)];
+}
+
+int LocalMap::log_odds(const Vector2i& index) const {
+    const Cell& cell =
+        cells_[static_cast<std::size_t>(wrapped(index.y(), side_)) * side_ + wrapped(index.x(), side_)];
+    return cell.index == index ? cell.log_odds : 0;
+}
+
+void LocalMap::add(const Entry& entry) {
+    Cell& cell = place(entry.index);
+    if (cell.index != entry.index) cell = {entry.index, 0, sets_};
+    cell.log_odds += entry.log_odds;
+}
+
+void LocalMap::forget(const Remembered& old) {
+    for (const Entry& entry : old.entries) {
+        Cell& cell = place(entry.index);
+        // A cell that gave its place away and came back since knows nothing of it.
+        if (cell.index == entry.index && cell.since <= old.number) cell.log_odds -= entry.log_odds;
+    }
+}
+
+}  // namespace flownav
