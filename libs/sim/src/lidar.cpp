@@ -1,0 +1,93 @@
+#include "flownav/sim/lidar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "flownav/sim/plan_view.h"
+
+namespace flownav::sim {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double never_m = std::numeric_limits<double>::infinity();
+
+double cross(const Vector2d& a, const Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+double range_m(const Disc& disc, const Vector2d& from, const Vector2d& direction) {
+    const Vector2d to_centre = disc.centre_m - from;
+    const double along_m = to_centre.dot(direction);
+    const double inside2 = disc.radius_m * disc.radius_m - to_centre.squaredNorm();
+    if (inside2 >= 0.0) return 0.0;
+    const double half2 = inside2 + along_m * along_m;
+    return along_m > 0.0 && half2 >= 0.0 ? along_m - std::sqrt(half2) : never_m;
+}
+
+double range_m(const Polygon& polygon, const Vector2d& from, const Vector2d& direction) {
+    if (signed_distance_m(polygon, from) <= 0.0) return 0.0;
+    double range_m = never_m;
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+        const Vector2d edge = polygon[i] - polygon[j];
+        const double slope = cross(direction, edge);
+        if (slope == 0.0) continue;
+        const double along_m = cross(polygon[j] - from, edge) / slope;
+        const double share = cross(polygon[j] - from, direction) / slope;
+        if (along_m >= 0.0 && share >= 0.0 && share <= 1.0) range_m = std::min(range_m, along_m);
+    }
+    return range_m;
+}
+
+void check(const LidarParams& p) {
+    if (p.beams < 2 || !(p.range_max_m > 0.0) ||
+        !(p.field_of_view_deg > 0.0 && p.field_of_view_deg <= 360.0)) {
+        throw std::invalid_argument(
+            "a lidar needs at least 2 beams, a range above 0 and a field of view of at most 360 degrees");
+    }
+}
+
+/// Writes one solid into the beams that can meet it.
+void see(VirtualScan& scan, const PlanShape& shape, const Vector2d& centre_m, double around_m,
+         const Pose2& T_world_lidar, double range_max_m) {
+    const Vector2d from(T_world_lidar.x_m, T_world_lidar.y_m);
+    const Vector2d to = centre_m - from;
+    const double distance_m = to.norm();
+    if (distance_m - around_m > range_max_m) return;
+    const double half_rad = distance_m > around_m ? std::asin(around_m / distance_m) : M_PI;
+    const double bearing_rad = std::atan2(to.y(), to.x()) - T_world_lidar.yaw_rad;
+    for (std::size_t i = 0; i < scan.beams.size(); ++i) {
+        const double beam_rad = scan.first_bearing_rad + static_cast<double>(i) * scan.step_rad;
+        if (std::abs(wrap_angle(beam_rad - bearing_rad)) > half_rad + 1e-9) continue;
+        const double angle_rad = T_world_lidar.yaw_rad + beam_rad;
+        const Vector2d direction(std::cos(angle_rad), std::sin(angle_rad));
+        const double found_m = std::visit([&](const auto& s) { return range_m(s, from, direction); }, shape);
+        if (found_m <= scan.beams[i].range_m) scan.beams[i] = {BeamKind::Obstacle, found_m};
+    }
+}
+
+}  // namespace
+
+VirtualScan scan(const World& world, const LidarParams& params, const Pose2& T_world_robot, double time_s) {
+    check(params);
+    const double view_rad = params.field_of_view_deg * M_PI / 180.0;
+    VirtualScan scan;
+    // A full turn has no two beams in the same direction.
+    const int gaps = params.field_of_view_deg < 360.0 ? params.beams - 1 : params.beams;
+    scan.step_rad = view_rad / gaps;
+    scan.first_bearing_rad = -scan.step_rad * (params.beams - 1) / 2;
+    scan.beams.assign(static_cast<std::size_t>(params.beams), {BeamKind::Free, params.range_max_m});
+    for (const Solid& solid : world.solids) {
+        if (!solid.solid) continue;
+        const Eigen::Isometry3d pose = pose_at(solid, time_s);
+        const auto shape = plan_view(solid.shape, pose, params.height_m, params.height_m);
+        if (!shape) continue;
+        see(scan, *shape, pose.translation().head<2>(), bounding_radius_m(solid.shape), T_world_robot,
+            params.range_max_m);
+    }
+    return scan;
+}
+
+}  // namespace flownav::sim
