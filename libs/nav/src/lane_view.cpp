@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "flownav/nav/motion_model.h"
+#include "turning.h"
 
 namespace flownav::nav {
 namespace {
@@ -19,10 +20,6 @@ constexpr double heading_weight = 0.4;  // of pointing away from the way point a
 Pose2 end_of(const LaneView& lane, double way_m) {
     const Pose2 turned{0.0, 0.0, lane.heading_rad};
     return compose(turned, pose_after({1.0, lane.curvature_1pm}, way_m));
-}
-
-double bearing_rad(const Vector2d& p) {
-    return std::atan2(p.y(), p.x());
 }
 
 /// Way along an arc, within 0..end_m, after which it is nearest to a point.

@@ -9,6 +9,7 @@
 #include "flownav/nav/motion_model.h"
 #include "lane_view.h"
 #include "rollout.h"
+#include "turning.h"
 
 namespace flownav::nav {
 namespace {
@@ -16,11 +17,7 @@ namespace {
 using Eigen::Vector2d;
 using mrpt::maps::COccupancyGridMap2D;
 
-constexpr double least_way_m = 0.05;   // shorter is no way
-constexpr double turning_radps = 0.1;  // and hardly moving: turns on the spot
-constexpr double hardly_mps = 0.08;
-constexpr double turn_gain_1ps = 2.5;  // omega for an angle left to turn
-constexpr double least_turn_radps = 0.25;
+constexpr double least_way_m = 0.05;  // shorter is no way
 
 class Choice {
   public:
@@ -31,18 +28,17 @@ class Choice {
           motion_(motion),
           params_(params),
           kinds_(kinds_of(map, params.limits)) {
-        const double reach_m = stopping_distance_m(tables.robot, tables.robot.v_max_mps) +
-                               tables.robot.v_max_mps * params.period_s;
-        obstacles_m_ = obstacles_near(tables, kinds_, reach_m + tables.field.radius_m());
+        obstacles_m_ = obstacles_near(map, kinds_, reach_m(tables.robot, tables.field, params));
         free_left_rad_ = free_turn_rad(tables.turn_left, kinds_);
         free_right_rad_ = free_turn_rad(tables.turn_right, kinds_);
     }
 
     LaneDecision run() {
         for (const Lane& lane : tables_.lanes) decision_.lanes.push_back(view_of(lane));
-        if (wants_to_turn()) {
-            if (turn_to(bearing_rad(), "turns to the way point")) return decision_;
-            if (turn_to(bearing_rad() - std::copysign(2.0 * M_PI, bearing_rad()), "turns the other way"))
+        if (wants_to_turn(waypoint_m_, motion_, params_)) {
+            const double bearing = bearing_rad(waypoint_m_);
+            if (turn_to(bearing, "turns to the way point")) return decision_;
+            if (turn_to(bearing - std::copysign(2.0 * M_PI, bearing), "turns the other way"))
                 return decision_;
         }
         if (drive_a_lane()) return decision_;
@@ -53,23 +49,12 @@ class Choice {
     }
 
   private:
-    double bearing_rad() const { return std::atan2(waypoint_m_.y(), waypoint_m_.x()); }
-
     LaneView view_of(const Lane& lane) const {
         LaneView view = look_along(tables_, lane, kinds_, params_);
         view.near = nearness(view, waypoint_m_, params_);
         view.open = view.free_m - params_.standoff_m > least_way_m;
         view.score = score(tables_, view, motion_, params_);
         return view;
-    }
-
-    /// A way point behind the robot; and once it turns it goes on until the way point is ahead.
-    bool wants_to_turn() const {
-        const double away_rad = std::abs(bearing_rad());
-        const bool turning = std::abs(motion_.v_mps) < hardly_mps &&
-                             motion_.omega_radps * bearing_rad() > 0.0 &&
-                             std::abs(motion_.omega_radps) > turning_radps;
-        return away_rad > (turning ? params_.turned_rad : params_.behind_rad);
     }
 
     bool may_turn(double angle_rad) const {
@@ -80,12 +65,7 @@ class Choice {
         // Half a turn is all that the tables know; the rest follows when it is done.
         const double first_rad = std::clamp(angle_rad, -M_PI + 1e-6, M_PI - 1e-6);
         if (!may_turn(first_rad)) return false;
-        const double fastest =
-            std::min(tables_.robot.omega_max_radps,
-                     std::sqrt(2.0 * tables_.robot.alpha_radps2 * std::abs(angle_rad)) * 0.8);
-        const double omega = std::clamp(turn_gain_1ps * std::abs(angle_rad), least_turn_radps,
-                                        std::max(least_turn_radps, fastest));
-        decision_.command = {0.0, std::copysign(std::min(omega, tables_.robot.omega_max_radps), angle_rad)};
+        decision_.command = turn_by(tables_.robot, angle_rad);
         decision_.why = why;
         return true;
     }
@@ -103,7 +83,8 @@ class Choice {
                 if (!view.open || view.near <= 0.0) continue;
                 const double v_mps = share * speed_mps(view);
                 const MotionCommand command{v_mps, v_mps * view.curvature_1pm};
-                if (!can_still_stop(tables_, obstacles_m_, motion_, command, params_)) continue;
+                if (!can_still_stop(tables_.robot, tables_.field, obstacles_m_, motion_, command, params_))
+                    continue;
                 decision_.command = command;
                 decision_.lane = i;
                 decision_.way = {view.free_m, view.unseen_m};

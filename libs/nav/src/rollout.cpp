@@ -26,45 +26,47 @@ MotionCommand after_step(const RobotModel& robot, const MotionCommand& now, cons
                    robot.alpha_radps2 * step_s)};
 }
 
-bool touches(const LaneTables& tables, const std::vector<Vector2d>& obstacles_m, const Pose2& T_robot_there,
-             double margin_m) {
+bool touches(const FootprintField& field, const std::vector<Vector2d>& obstacles_m,
+             const Pose2& T_robot_there, double margin_m) {
     const Pose2 T_there_robot = inverse(T_robot_there);
     return std::any_of(obstacles_m.begin(), obstacles_m.end(), [&](const Vector2d& p) {
-        const double distance_m = tables.field.distance_m(transform(T_there_robot, p));
+        const double distance_m = field.distance_m(transform(T_there_robot, p));
         if (distance_m >= margin_m) return false;
-        const double first_m = tables.field.distance_m(p);
+        const double first_m = field.distance_m(p);
         return first_m > -under_m && distance_m < first_m - nearer_m;
     });
 }
 
 }  // namespace
 
-std::vector<Vector2d> obstacles_near(const LaneTables& tables, const std::vector<CellKind>& kinds,
-                                     double within_m) {
+std::vector<Vector2d> obstacles_near(const mrpt::maps::COccupancyGridMap2D& map,
+                                     const std::vector<CellKind>& kinds, double within_m) {
     std::vector<Vector2d> obstacles_m;
-    for (int row = 0; row < tables.grid.rows; ++row) {
-        for (int column = 0; column < tables.grid.columns; ++column) {
-            if (kinds[static_cast<std::size_t>(row) * tables.grid.columns + column] != CellKind::Occupied)
-                continue;
-            const Vector2d p = tables.grid.middle_of(column, row);
-            if (p.norm() < within_m) obstacles_m.push_back(p);
-        }
+    const auto columns = static_cast<int>(map.getSizeX());
+    for (int i = 0; i < static_cast<int>(kinds.size()); ++i) {
+        if (kinds[static_cast<std::size_t>(i)] != CellKind::Occupied) continue;
+        const Vector2d p(map.idx2x(i % columns), map.idx2y(i / columns));
+        if (p.squaredNorm() < within_m * within_m) obstacles_m.push_back(p);
     }
     return obstacles_m;
 }
 
-bool can_still_stop(const LaneTables& tables, const std::vector<Vector2d>& obstacles_m,
-                    const MotionCommand& motion, const MotionCommand& command, const LaneParams& params) {
-    const RobotModel& robot = tables.robot;
+double reach_m(const RobotModel& robot, const FootprintField& field, const LaneParams& params) {
+    return stopping_distance_m(robot, robot.v_max_mps) + robot.v_max_mps * params.period_s + field.radius_m();
+}
+
+bool can_still_stop(const RobotModel& robot, const FootprintField& field,
+                    const std::vector<Vector2d>& obstacles_m, const MotionCommand& motion,
+                    const MotionCommand& command, const LaneParams& params) {
     MotionCommand now = motion;
     Pose2 pose;
     const double told_s = robot.delay_s;
-    const double stop_s = told_s + params.period_s;
+    const double stop_s = told_s + params.period_s + robot.delay_s;
     for (double t = 0.0; t < 10.0; t += step_s) {
         if (t >= told_s) now = after_step(robot, now, t < stop_s ? command : MotionCommand{});
         if (t >= stop_s && now.v_mps == 0.0 && now.omega_radps == 0.0) break;
         pose = compose(pose, pose_after(now, step_s));
-        if (touches(tables, obstacles_m, pose, params.stop_margin_m)) return false;
+        if (touches(field, obstacles_m, pose, params.stop_margin_m)) return false;
     }
     return true;
 }
