@@ -1,0 +1,72 @@
+#pragma once
+
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "flownav/core/footprint.h"
+#include "flownav/core/pose2.h"
+
+namespace flownav::nav {
+
+enum class Ground : unsigned char {
+    Unknown,
+    Driven,  ///< the robot was there
+    Free,    ///< seen to be free
+    Occupied
+};
+
+struct GroundMemoryParams {
+    double cell_m = 0.05;
+    double reach_m = 4.0;       ///< of the memory around the robot
+    double p_occupied = 0.4;    ///< cells of the map less likely FREE than this are obstacles
+    double p_free = 0.55;       ///< and more likely than this, seen to be free
+    double obstacle_s = 10.0;   ///< an obstacle that the map no longer shows is remembered for so long
+    double free_s = 30.0;       ///< and free ground
+    double driven_s = 120.0;    ///< and ground that the robot drove over
+    double seen_near_m = 0.08;  ///< ground counts as seen when a cell this near was
+};
+
+/// What is known of the ground around the robot, in the map frame: what the last local maps showed, and where
+/// the robot itself has been. The newest word on a cell holds; a map that says nothing changes nothing.
+class GroundMemory {
+  public:
+    explicit GroundMemory(const GroundMemoryParams& params);
+
+    /// A local map (robot frame) and where the robot was. Returns how many cells are free that were unknown.
+    int note(const mrpt::maps::COccupancyGridMap2D& local_map, double time_s, const Pose2& T_map_robot);
+
+    /// An obstacle point, map frame.
+    void note_obstacle(const Eigen::Vector2d& at_m, double time_s);
+
+    /// The robot stands here: nothing else does.
+    void drive_over(const Polygon& footprint_m, double time_s, const Pose2& T_map_robot);
+
+    Ground at(const Eigen::Vector2d& at_m, double time_s) const;
+    /// Driven over, seen to be free, or unknown next to ground that was seen to be free.
+    bool is_seen(const Eigen::Vector2d& at_m, double time_s) const;
+    /// Middles of the occupied cells around a place, map frame.
+    std::vector<Eigen::Vector2d> obstacles(const Eigen::Vector2d& around_m, double radius_m,
+                                           double time_s) const;
+    void forget() { cells_.assign(cells_.size(), Cell{}); }
+
+  private:
+    struct Cell {
+        Eigen::Vector2i index = Eigen::Vector2i::Zero();
+        Ground ground = Ground::Unknown;
+        double until_s = 0.0;
+    };
+
+    Eigen::Vector2i index_of(const Eigen::Vector2d& at_m) const;
+    Eigen::Vector2d middle_of(const Eigen::Vector2i& index) const;
+    Cell& place(const Eigen::Vector2i& index);
+    const Cell& place(const Eigen::Vector2i& index) const;
+    Ground at(const Eigen::Vector2i& index, double time_s) const;
+
+    GroundMemoryParams params_;
+    int side_;  ///< cells along the edge of the ring
+    std::vector<Cell> cells_;
+};
+
+}  // namespace flownav::nav

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flownav/core/pose2.h"
+#include "flownav/core/robot_model.h"
+#include "flownav/core/sensor_report.h"
+#include "flownav/nav/ground_memory.h"
+#include "flownav/nav/guard_reason.h"
+#include "flownav/nav/odometry_watch.h"
+#include "flownav/nav/sensor_watch.h"
+#include "flownav/nav/stopping_path.h"
+
+namespace flownav::nav {
+
+struct GuardParams {
+    SensorWatchParams sensor;
+    OdometryWatchParams odometry;
+    GroundMemoryParams ground;
+    bool needs_fields = true;   ///< false: the obstacles come from another sensor, only the map is watched
+    double map_stale_s = 1.5;   ///< age of the newest local map
+    double silent_s = 0.5;      ///< without a proposal
+    double resume_s = 0.4;      ///< everything must be well for so long before the robot moves again
+    double period_s = 0.06;     ///< at least this often judge() is called
+    double touch_m = 0.02;      ///< distance that is kept to obstacles, even when crawling,
+    double margin_s = 0.1;      ///< and what the fastest point of the outline moves in this time
+    double crawl_mps = 0.1;     ///< fastest point of the outline over unseen ground
+    double crawl_max_m = 0.6;   ///< way over unseen ground without seeing any new
+    int new_cells = 8;          ///< free cells of one map that are new ground
+    double unseen_max_m = 0.1;  ///< of the outline may pass over unseen ground and it still counts as seen
+    double turn_free_s = 3.0;   ///< a standing robot with a blind sector may turn on the spot after so long
+    double probe_wait_s = 1.0;  ///< first pause of a robot whose odometry and flow disagree; doubles,
+    double probe_max_s = 8.0;   ///< up to this
+    double log_quiet_s = 0.3;   ///< a milder verdict is logged when it has lasted so long
+    std::size_t events_max = 10000;
+};
+
+/// What the motors are told, and why it is not what the navigator wants.
+struct Verdict {
+    MotionCommand command;
+    GuardAction action = GuardAction::Pass;
+    GuardReason reason = GuardReason::None;
+    std::string why;  ///< a sentence; empty: passed
+};
+
+/// One line of the log: the verdict changed.
+struct GuardEvent {
+    double time_s = 0.0;
+    GuardAction action = GuardAction::Pass;
+    GuardReason reason = GuardReason::None;
+    std::string why;
+};
+
+/// Stands between navigator and motors and trusts neither the sensor nor the navigator: lets a command pass
+/// only when the robot, told to stop right after it, comes to stand on ground that was seen to be free. All
+/// times are of one clock, in seconds, and rise; fields carry their own time stamps, of the same clock.
+/// See share/doc/guard.md for every reason, threshold and rule.
+class Guard {
+  public:
+    Guard(const RobotModel& robot, const GuardParams& params);
+
+    /// A field was worked on.
+    void sensed(const SensorReport& report);
+    /// A pose of the wheels.
+    void odometry(double time_s, const Pose2& T_odom_robot);
+    /// A local map (robot frame, probability of being FREE) as of `time_s`, and where the robot was then. To
+    /// be called after each cycle of the sensor, of a standing robot too.
+    void mapped(const mrpt::maps::COccupancyGridMap2D& local_map, double time_s, const Pose2& T_map_robot);
+    /// What the navigator wants; also its heartbeat.
+    void proposed(double time_s, const MotionCommand& command);
+
+    /// What the motors are to do now. `T_map_robot`, `motion`: where the robot is and how it moves.
+    Verdict judge(double time_s, const Pose2& T_map_robot, const MotionCommand& motion);
+
+    /// The changes so far, at most events_max (the oldest are dropped).
+    const std::deque<GuardEvent>& events() const { return events_; }
+
+  private:
+    struct Moment {
+        double time_s = 0.0;
+        Pose2 T_map_robot;
+    };
+    struct Now {
+        double time_s = 0.0;
+        Pose2 T_map_robot;
+        MotionCommand motion;
+        std::vector<Eigen::Vector2d> obstacles_m;  ///< robot frame, within reach, outside the footprint
+        double nearest_m = 0.0;                    ///< distance of the footprint to the nearest of them
+    };
+    /// What a command, and a stop right after it, would lead to.
+    struct Outlook {
+        bool touches = false;
+        bool unseen = false;
+        Eigen::Vector2d where_m = Eigen::Vector2d::Zero();  ///< the obstacle, robot frame
+    };
+
+    void note_pose(double time_s, const Pose2& T_map_robot, const MotionCommand& motion);
+    Fault fault_now(double time_s);
+    Fault held(const Fault& fault, double time_s);
+    bool may_turn_out(const Fault& fault, double time_s) const;
+    Now look(double time_s, const Pose2& T_map_robot, const MotionCommand& motion) const;
+    double outline_mps(const MotionCommand& command) const;
+    MotionCommand limited() const;
+    bool touches(const Now& now, const Pose2& T_robot_then, double margin_m, Eigen::Vector2d& where_m) const;
+    bool is_unseen(const Now& now, const Pose2& T_robot_then) const;
+    Outlook outlook(const Now& now, const MotionCommand& candidate) const;
+    Fault objection(const Now& now, const MotionCommand& candidate) const;
+    Verdict allow(const Now& now, const MotionCommand& wanted) const;
+    Verdict sent(const Now& now, const Verdict& verdict);
+    void log(double time_s, const Verdict& verdict);
+
+    RobotModel robot_;
+    GuardParams params_;
+    double radius_m_;                         ///< of the circle about the footprint
+    std::vector<Eigen::Vector2d> outline_m_;  ///< points all around the footprint
+    SensorWatch sensor_;
+    OdometryWatch odometry_;
+    GroundMemory ground_;
+    std::optional<TimedCommand> proposal_;
+    std::optional<double> map_s_;
+    std::optional<Moment> last_;             ///< judgement
+    std::deque<TimedCommand> sent_;          ///< to the motors, of the last delay
+    double hold_s_;                          ///< a command is in force for so long at the most
+    double jumped_s_ = -1e9;                 ///< when T_map_robot jumped
+    Fault holding_;                          ///< why the robot stands
+    double fault_s_ = -1e9;                  ///< when something was wrong last
+    bool probe_wanted_ = false;              ///< before it may go on
+    std::optional<double> probing_since_s_;  ///< crawling until flow and wheels agree
+    double probe_pause_s_ = 0.0;
+    std::optional<double> standing_since_s_;  ///< it may have turned meanwhile
+    bool over_unseen_ = false;                ///< the last command leads over unseen ground
+    double crept_m_ = 0.0;                    ///< like that, since new ground was seen
+    std::deque<GuardEvent> events_;
+    std::optional<double> milder_since_s_;  ///< than the last event
+};
+
+}  // namespace flownav::nav

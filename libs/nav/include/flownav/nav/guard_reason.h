@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+namespace flownav::nav {
+
+/// What the guard does with a command.
+enum class GuardAction { Pass, Slow, Stop };
+
+/// Why it does not pass, the gravest last.
+enum class GuardReason {
+    None,
+    UnseenAhead,            ///< ground on the way has not been seen
+    ObstacleAhead,          ///< something stands on the way
+    OdometryContradiction,  ///< wheels and flow disagree, or the wheels' pose jumped or stopped coming
+    SensorFrozen,           ///< the same image again and again while the wheels turn
+    OmegaLost,              ///< vectors there are, but no common motion explains them
+    SensorBlind,            ///< too few vectors, in the whole image or in a part of it
+    SensorStale,            ///< fields or maps do not come, or come late
+    NavigatorSilent,        ///< no proposal
+};
+
+/// The words of logs.
+const char* to_string(GuardAction action);
+const char* to_string(GuardReason reason);
+
+/// Something that is wrong with what the guard relies on.
+struct Fault {
+    GuardReason reason = GuardReason::None;  ///< None: nothing is wrong
+    std::string why;
+
+    explicit operator bool() const { return reason != GuardReason::None; }
+};
+
+}  // namespace flownav::nav

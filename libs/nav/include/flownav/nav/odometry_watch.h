@@ -1,0 +1,75 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "flownav/core/pose2.h"
+#include "flownav/core/robot_model.h"
+#include "flownav/core/sensor_report.h"
+#include "flownav/nav/guard_reason.h"
+
+namespace flownav::nav {
+
+struct OdometryWatchParams {
+    double window_s = 1.5;       ///< over which flow and wheels are compared
+    double way_m = 0.1;          ///< by which they may differ,
+    double way_share = 0.25;     ///< and by this share of the way
+    double turn_rad = 0.12;      ///< likewise of the turn
+    double turn_share = 0.2;     ///< likewise
+    double jump_m = 0.05;        ///< a step of the wheels' pose may be longer than the robot can drive
+    double jump_rad = 0.1;       ///< or turn, by this
+    double silent_s = 0.5;       ///< without odometry, once there was some
+    double hold_s = 1.0;         ///< a jump is remembered for so long
+    int frozen_fields = 4;       ///< in a row without any flow, while
+    double frozen_way_m = 0.02;  ///< the outline moves so far by the wheels
+    double still_radps = 1e-4;   ///< no flow at all is told by a turn below this
+};
+
+/// Whether flow and wheels tell the same motion.
+class OdometryWatch {
+  public:
+    OdometryWatch(const RobotModel& robot, const OdometryWatchParams& params)
+        : robot_(robot), params_(params), radius_m_(circumscribed_radius_m(robot.footprint_m)) {}
+
+    void odometry(double time_s, const Pose2& T_odom_robot);
+    void sensed(const SensorReport& report);
+    Fault fault(double time_s) const;
+
+    /// Flow and wheels agreed about a motion that both measured, after `since_s`.
+    bool is_confirmed_since(double since_s) const;
+
+  private:
+    struct Stamped {
+        double time_s = 0.0;
+        Pose2 pose;
+    };
+    /// One motion, as flow and as wheels have it.
+    struct Pair {
+        double begin_s = 0.0;
+        double end_s = 0.0;
+        double flow = 0.0;
+        double wheels = 0.0;
+    };
+
+    std::optional<Pose2> wheels_between(double from_s, double to_s) const;
+    std::optional<Pose2> wheels_at(double time_s) const;
+    void compare_turn(const SensorReport& report);
+    void compare_way(const SensorReport& report);
+    void count_still(const SensorReport& report);
+    Fault contradiction(const std::deque<Pair>& pairs, double free, double share, const char* what) const;
+
+    RobotModel robot_;
+    OdometryWatchParams params_;
+    double radius_m_;
+    std::deque<Stamped> wheels_;
+    std::deque<Pair> turns_;
+    std::deque<Pair> ways_;
+    std::optional<SensorReport> last_;  ///< field
+    std::optional<double> cycle_s_;     ///< when the running cycle began
+    int still_fields_ = 0;              ///< in a row
+    double still_way_m_ = 0.0;          ///< of the outline meanwhile, by the wheels
+    double jumped_s_ = -1e9;
+    double newest_s_ = -1e9;  ///< odometry
+};
+
+}  // namespace flownav::nav

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "flownav/core/sensor_report.h"
+#include "flownav/nav/guard_reason.h"
+
+namespace flownav::nav {
+
+struct SensorWatchParams {
+    double stale_s = 0.25;       ///< age of the newest field, by its time stamp and by its arrival
+    double ahead_s = 0.1;        ///< time stamps may be so far in the future
+    double blind_s = 0.2;        ///< for so long there may be no field with a picture
+    double lost_s = 0.4;         ///< for so long omega may be lost
+    double sector_s = 0.2;       ///< for so long a sector may be blind
+    int confident_min = 20;      ///< vectors of a field, for less is blind
+    double sector_share = 0.05;  ///< of the blocks of a sector, for less confident ones it is blind
+};
+
+/// Whether the flow sensor sees, from its reports. Standing still is not blind: a standing camera has as
+/// many confident vectors as a moving one, all of them zero.
+class SensorWatch {
+  public:
+    explicit SensorWatch(const SensorWatchParams& params) : params_(params) {}
+
+    void sensed(const SensorReport& report);
+
+    /// What is wrong at `time_s`; called at least as often as fields come, times rise.
+    Fault fault(double time_s);
+
+    /// True when only some sectors of the image are blind.
+    bool is_partly_blind() const { return partly_blind_; }
+
+  private:
+    Fault stale(double time_s) const;
+    Fault unseeing() const;
+    Fault blind_sector() const;
+    void note_sectors(const SensorReport& report);
+
+    SensorWatchParams params_;
+    std::optional<SensorReport> newest_;
+    bool arrived_ = false;  ///< since the last question
+    double last_arrival_s_ = 0.0;
+    double last_ok_s_ = 0.0;    ///< time stamp of the last field with enough vectors and omega
+    double last_seen_s_ = 0.0;  ///< and with enough vectors
+    std::array<std::optional<double>, SensorReport::sectors> blind_since_s_;
+    bool partly_blind_ = false;
+};
+
+}  // namespace flownav::nav

@@ -1,0 +1,128 @@
+#include "flownav/nav/ground_memory.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace flownav::nav {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector2i;
+
+constexpr double deep_inside_m = 0.05;  // an obstacle this far inside the footprint is none
+
+int wrapped(int i, int side) {
+    const int rest = i % side;
+    return rest < 0 ? rest + side : rest;
+}
+
+}  // namespace
+
+GroundMemory::GroundMemory(const GroundMemoryParams& params)
+    : params_(params),
+      side_(2 * static_cast<int>(std::ceil(params.reach_m / params.cell_m)) + 2),
+      cells_(static_cast<std::size_t>(side_) * side_) {}
+
+Vector2i GroundMemory::index_of(const Vector2d& at_m) const {
+    return (at_m / params_.cell_m).array().floor().cast<int>();
+}
+
+Vector2d GroundMemory::middle_of(const Vector2i& index) const {
+    return (index.cast<double>() + Vector2d(0.5, 0.5)) * params_.cell_m;
+}
+
+GroundMemory::Cell& GroundMemory::place(const Vector2i& index) {
+    return cells_[static_cast<std::size_t>(wrapped(index.y(), side_)) * side_ + wrapped(index.x(), side_)];
+}
+
+const GroundMemory::Cell& GroundMemory::place(const Vector2i& index) const {
+    return cells_[static_cast<std::size_t>(wrapped(index.y(), side_)) * side_ + wrapped(index.x(), side_)];
+}
+
+Ground GroundMemory::at(const Vector2i& index, double time_s) const {
+    const Cell& cell = place(index);
+    return cell.index == index && time_s <= cell.until_s ? cell.ground : Ground::Unknown;
+}
+
+int GroundMemory::note(const mrpt::maps::COccupancyGridMap2D& local_map, double time_s,
+                       const Pose2& T_map_robot) {
+    const Vector2i middle = index_of({T_map_robot.x_m, T_map_robot.y_m});
+    const Pose2 T_robot_map = inverse(T_map_robot);
+    int fresh = 0;
+    for (int y = middle.y() - side_ / 2 + 1; y < middle.y() + side_ / 2; ++y) {
+        for (int x = middle.x() - side_ / 2 + 1; x < middle.x() + side_ / 2; ++x) {
+            const Vector2i index(x, y);
+            const Vector2d p = transform(T_robot_map, middle_of(index));
+            // Outside the map it says 0.5.
+            const double p_free = local_map.getCell(local_map.x2idx(p.x()), local_map.y2idx(p.y()));
+            const bool is_free = p_free > params_.p_free;
+            if (!is_free && p_free >= params_.p_occupied) continue;
+            const bool was_unknown = at(index, time_s) == Ground::Unknown;
+            fresh += is_free && was_unknown;
+            Cell& cell = place(index);
+            if (!is_free) {
+                cell = {index, Ground::Occupied, time_s + params_.obstacle_s};
+            } else if (at(index, time_s) != Ground::Driven || cell.until_s < time_s + params_.free_s) {
+                cell = {index, Ground::Free, time_s + params_.free_s};
+            }
+        }
+    }
+    return fresh;
+}
+
+void GroundMemory::note_obstacle(const Vector2d& at_m, double time_s) {
+    const Vector2i index = index_of(at_m);
+    place(index) = {index, Ground::Occupied, time_s + params_.obstacle_s};
+}
+
+void GroundMemory::drive_over(const Polygon& footprint_m, double time_s, const Pose2& T_map_robot) {
+    const Vector2d centre(T_map_robot.x_m, T_map_robot.y_m);
+    const Vector2d reach = Vector2d::Constant(circumscribed_radius_m(footprint_m));
+    const Vector2i low = index_of(centre - reach);
+    const Vector2i high = index_of(centre + reach);
+    const Pose2 T_robot_map = inverse(T_map_robot);
+    for (int y = low.y(); y <= high.y(); ++y) {
+        for (int x = low.x(); x <= high.x(); ++x) {
+            const Vector2i index(x, y);
+            const double outside_m = signed_distance_m(footprint_m, transform(T_robot_map, middle_of(index)));
+            const bool is_obstacle = at(index, time_s) == Ground::Occupied;
+            if (outside_m > (is_obstacle ? -deep_inside_m : 0.0)) continue;
+            place(index) = {index, Ground::Driven, time_s + params_.driven_s};
+        }
+    }
+}
+
+Ground GroundMemory::at(const Vector2d& at_m, double time_s) const {
+    return at(index_of(at_m), time_s);
+}
+
+bool GroundMemory::is_seen(const Vector2d& at_m, double time_s) const {
+    const Ground here = at(at_m, time_s);
+    if (here != Ground::Unknown) return here != Ground::Occupied;
+    const double d = params_.seen_near_m;
+    const double e = d * std::sqrt(0.5);
+    const std::array<Vector2d, 8> around = {Vector2d(d, 0), {e, e},   {0, d},  {-e, e},
+                                            {-d, 0},        {-e, -e}, {0, -d}, {e, -e}};
+    return std::any_of(around.begin(), around.end(), [&](const Vector2d& offset) {
+        return at(Vector2d(at_m + offset), time_s) == Ground::Free;
+    });
+}
+
+std::vector<Vector2d> GroundMemory::obstacles(const Vector2d& around_m, double radius_m,
+                                              double time_s) const {
+    const double reach_m = std::min(radius_m, params_.reach_m);
+    const Vector2i low = index_of(around_m - Vector2d::Constant(reach_m));
+    const Vector2i high = index_of(around_m + Vector2d::Constant(reach_m));
+    std::vector<Vector2d> found;
+    for (int y = low.y(); y <= high.y(); ++y) {
+        for (int x = low.x(); x <= high.x(); ++x) {
+            const Vector2i index(x, y);
+            if (at(index, time_s) != Ground::Occupied) continue;
+            if ((middle_of(index) - around_m).norm() <= reach_m) found.push_back(middle_of(index));
+        }
+    }
+    return found;
+}
+
+}  // namespace flownav::nav
