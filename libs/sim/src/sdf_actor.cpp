@@ -50,9 +50,9 @@ std::vector<TimedPose> one_round(const sdf::ElementPtr& script, const std::strin
     if (!trajectory->HasElement("waypoint")) return round;
     for (auto point = trajectory->GetElement("waypoint"); point; point = point->GetNextElement("waypoint")) {
         const auto time_s = point->Get<double>("time");
-        if (!std::isfinite(time_s) || time_s < 0.0 || (!round.empty() && time_s <= round.back().time_s)) {
+        if (!std::isfinite(time_s) || time_s < 0.0 || (!round.empty() && time_s < round.back().time_s)) {
             throw std::invalid_argument("actor " + actor + ": time " + text_of(time_s) +
-                                        " of a waypoint must be >= 0 s and later than the one before");
+                                        " of a waypoint must be >= 0 s and not before the one ahead of it");
         }
         round.push_back({time_s, pose_of(point)});
     }
