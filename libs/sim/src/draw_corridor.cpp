@@ -86,7 +86,7 @@ World draw_corridor(Random& random) {
     builder.wall(right.back(), left.back());
     for (std::size_t i = 0; i < line.lengths_m.size(); ++i) {
         const double from_m = i == 0 ? before_start_m + 1.8 : 1.3;
-        for (double s_m = from_m; s_m < line.lengths_m[i] - 1.6; s_m += random.uniform(1.3, 2.2)) {
+        for (double s_m = from_m; s_m < line.lengths_m[i] - 1.6; s_m += random.uniform(1.1, 1.9)) {
             const Vector2d at = line.points_m[i] + s_m * direction(line.headings_rad[i]);
             furnish(builder, random, {at.x(), at.y(), line.headings_rad[i]}, width_m);
         }
