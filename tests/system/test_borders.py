@@ -36,7 +36,7 @@ LIBRARIES = {
     r"zlib\.h": r"ZLIB::ZLIB",
 }
 # Of the language, the processor and the system.
-OF_THE_SYSTEM = re.compile(r"[a-z_]+|\w+intrin\.h|unistd\.h|sys/\w+\.h")
+OF_THE_SYSTEM = re.compile(r"[a-z_]+|\w+intrin\.h|(fcntl|netdb|poll|unistd)\.h|(netinet|sys)/\w+\.h")
 
 
 def links_of(cmake_text):

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace flownav::nav {
+
+/// A connection over TCP that never blocks for longer than it is told. Errors throw RobotError.
+class TcpSocket {
+  public:
+    /// Connects. `port`: a number or the name of a service.
+    TcpSocket(const std::string& host, const std::string& port, double timeout_s);
+    explicit TcpSocket(int connected_file) : file_(connected_file) {}
+    ~TcpSocket();
+    TcpSocket(TcpSocket&& other) noexcept;
+    TcpSocket& operator=(TcpSocket&&) = delete;
+
+    /// All of it, within a second.
+    void send(std::string_view bytes);
+
+    /// What has arrived, perhaps nothing.
+    std::string receive();
+
+    /// True when something has arrived (or the connection has ended) before the time is over.
+    bool wait(double timeout_s) const;
+
+  private:
+    int file_ = -1;
+};
+
+/// Takes connections on the loopback interface, or on all of them.
+class TcpListener {
+  public:
+    /// Port 0: the system chooses one.
+    explicit TcpListener(int port, bool loopback_only = true);
+    ~TcpListener();
+    TcpListener(const TcpListener&) = delete;
+    TcpListener& operator=(const TcpListener&) = delete;
+
+    int port() const { return port_; }
+    bool wait(double timeout_s) const;
+    TcpSocket accept();
+
+  private:
+    int file_ = -1;
+    int port_ = 0;
+};
+
+}  // namespace flownav::nav
