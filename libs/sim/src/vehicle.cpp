@@ -45,15 +45,25 @@ void Vehicle::command(double time_s, const MotionCommand& command) {
 }
 
 void Vehicle::advance(double time_s) {
-    while (static_cast<double>(steps_ + 1) / steps_per_s <= time_s + rounding_s) step();
+    for (; static_cast<double>(steps_ + 1) / steps_per_s <= time_s + rounding_s; ++steps_) {
+        settle();
+        step_pose_ = moved(step_pose_, motion_, 1.0 / steps_per_s);
+        settled_ = false;
+    }
     const double rest_s = time_s - static_cast<double>(steps_) / steps_per_s;
-    if (rest_s >= -rounding_s) pose_ = moved(step_pose_, motion_, std::max(0.0, rest_s));
+    if (rest_s > rounding_s) {
+        settle();
+        pose_ = moved(step_pose_, motion_, rest_s);
+    } else if (rest_s > -rounding_s) {
+        pose_ = step_pose_;
+    }
 }
 
-/// Finishes the running step with its motion, then settles the motion of the next one.
-void Vehicle::step() {
-    step_pose_ = moved(step_pose_, motion_, 1.0 / steps_per_s);
-    ++steps_;
+/// Fixes the motion of the step that begins. Put off until it is needed: commands at its very beginning
+/// count.
+void Vehicle::settle() {
+    if (settled_) return;
+    settled_ = true;
     const double now_s = static_cast<double>(steps_) / steps_per_s;
     for (; !pending_.empty() && pending_.front().effect_s <= now_s + rounding_s; pending_.pop_front())
         wanted_ = pending_.front().command;

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <sstream>
 
 #include "flownav/sim/sdf_world.h"
@@ -25,9 +26,11 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
+/// To 1e-9 m or rad: what is read and written again then stays the same to the letter.
 std::string numbers(std::initializer_list<double> values) {
     std::string text;
-    for (const double value : values) text += (text.empty() ? "" : " ") + text_of(value);
+    for (const double value : values)
+        text += (text.empty() ? "" : " ") + text_of(std::round(value * 1e9) / 1e9);
     return text;
 }
 

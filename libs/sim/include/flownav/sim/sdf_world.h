@@ -26,7 +26,8 @@ struct LoadedWorld {
 /// file, no world in it, or something in it cannot be read.
 LoadedWorld read_sdf_world(const std::filesystem::path& file);
 
-/// The text of an SDF file that read_sdf_world() reads as the same world.
+/// The text of an SDF file that read_sdf_world() reads as the same world; poses are rounded to 1e-9 m and
+/// rad.
 std::string to_sdf(const World& world);
 
 }  // namespace flownav::sim

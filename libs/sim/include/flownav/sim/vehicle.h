@@ -33,13 +33,14 @@ class Vehicle {
         MotionCommand command;
     };
 
-    void step();
+    void settle();
 
     RobotModel robot_;
     std::int64_t steps_ = 0;  ///< whole steps done
+    bool settled_ = false;    ///< whether motion_ is that of the step after these
     Pose2 step_pose_;         ///< at the last whole step
     Pose2 pose_;
-    MotionCommand motion_;  ///< from the last whole step on
+    MotionCommand motion_;
     MotionCommand wanted_;
     std::deque<Pending> pending_;
 };
