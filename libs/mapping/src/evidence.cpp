@@ -16,13 +16,26 @@ double p_free(const ObstaclePoint& point, double cell_m) {
     return 0.5 - (0.5 - seen_obstacle) * share * share;
 }
 
-void add_floor(const CellFrame& frame, const Vector2d& near, const Vector2d& far,
+/// Number of steps that leave out no cell.
+int steps_over(double way_m, double cell_m) {
+    return static_cast<int>(way_m / (cell_m / 2));
+}
+
+double share(int i, int steps) {
+    return steps > 0 ? static_cast<double>(i) / steps : 0.5;
+}
+
+void add_floor(const CellFrame& frame, const Vector2d& near, const Vector2d& far, double width_m,
                std::vector<Evidence>& evidence) {
-    const double step = frame.cell_m / 2;
-    const int steps = static_cast<int>((far - near).norm() / step);
+    const Vector2d along = far - near;
+    const Vector2d across = Vector2d(-along.y(), along.x()).normalized() * width_m;
+    const int steps = steps_over(along.norm(), frame.cell_m);
+    const int side_steps = steps_over(width_m, frame.cell_m);
     for (int i = 0; i <= steps; ++i) {
-        const Vector2d p = near + (far - near) * (steps > 0 ? static_cast<double>(i) / steps : 0.0);
-        evidence.push_back({frame.cell_of(p), seen_floor});
+        for (int k = 0; k <= side_steps; ++k) {
+            const Vector2d p = near + along * share(i, steps) + across * (share(k, side_steps) - 0.5);
+            evidence.push_back({frame.cell_of(p), seen_floor});
+        }
     }
 }
 
@@ -38,7 +51,7 @@ std::vector<Evidence> evidence_of(const ObstacleSet& set, const Pose2& T_frame_r
     }
     for (const GroundPatch& patch : set.ground) {
         add_floor(frame, transform(T_frame_robot, patch.near_m), transform(T_frame_robot, patch.far_m),
-                  evidence);
+                  patch.width_m, evidence);
     }
     std::sort(evidence.begin(), evidence.end());
     evidence.erase(std::unique(evidence.begin(), evidence.end()), evidence.end());

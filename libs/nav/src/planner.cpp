@@ -127,6 +127,22 @@ Vector2d way_point(const CostMap& costs, const std::vector<Vector2d>& path_m, co
     return best;
 }
 
+Plan plan_once(const COccupancyGridMap2D& map, const Vector2d& from_m, const Vector2d& goal_m,
+               const RobotModel& robot, const PlanParams& params) {
+    const CellArea area = area_around(map, from_m, goal_m, params);
+    const CostMap costs(map, area, robot, params);
+    const Vector2i from = area.cell_of(from_m);
+    const Vector2i goal =
+        area.cell_of(goal_m).cwiseMax(0).cwiseMin(Vector2i(area.columns - 1, area.rows - 1));
+    const Search search(costs, from, goal);
+    Plan result;
+    result.path_m = search.path();
+    result.cost_m = search.cost_of(search.end());
+    result.way_point_m = way_point(costs, result.path_m, from_m, params.look_ahead_m);
+    result.reaches_goal = search.reached_goal();
+    return result;
+}
+
 }  // namespace
 
 double inscribed_radius_m(const Polygon& footprint) {
@@ -141,18 +157,17 @@ double length_m(const std::vector<Vector2d>& path_m) {
 
 Plan plan(const COccupancyGridMap2D& map, const Vector2d& from_m, const Vector2d& goal_m,
           const RobotModel& robot, const PlanParams& params) {
-    const CellArea area = area_around(map, from_m, goal_m, params);
-    const CostMap costs(map, area, robot, params);
-    const Vector2i from = area.cell_of(from_m);
-    const Vector2i goal =
-        area.cell_of(goal_m).cwiseMax(0).cwiseMin(Vector2i(area.columns - 1, area.rows - 1));
-    const Search search(costs, from, goal);
-    Plan result;
-    result.path_m = search.path();
-    result.cost_m = search.cost_of(search.end());
-    result.way_point_m = way_point(costs, result.path_m, from_m, params.look_ahead_m);
-    result.reaches_goal = search.reached_goal();
-    return result;
+    const Plan wanted = plan_once(map, from_m, goal_m, robot, params);
+    if (wanted.reaches_goal) return wanted;
+    // A single false point may close a passage: less margin, and then only what was seen again and again.
+    PlanParams bold = params;
+    bold.margin_m = params.bold_margin_m;
+    for (const double p_occupied : {params.p_occupied, params.p_surely_occupied}) {
+        bold.p_occupied = p_occupied;
+        const Plan other = plan_once(map, from_m, goal_m, robot, bold);
+        if (other.reaches_goal) return other;
+    }
+    return wanted;
 }
 
 }  // namespace flownav::nav

@@ -9,6 +9,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double half_block_px = 8.0;
+constexpr double half_width_px =
+    6.0;  // of a patch of floor: something thin at the rim leaves the vector alone
 constexpr double worthless_sigma = 0.12;  // of the range
 constexpr double below_horizon_min = 0.02;
 
@@ -48,7 +50,10 @@ std::optional<GroundPatch> ground_patch(const Vector2d& centre_px, const RayMapp
     const auto near = ground_point(centre_px + Vector2d(0, half_block_px), reference);
     const auto far = ground_point(centre_px - Vector2d(0, half_block_px), reference);
     if (!near || !far || far->norm() > range_max_m) return std::nullopt;
-    return GroundPatch{transform(T_end_reference, *near), transform(T_end_reference, *far)};
+    const auto left = ground_point(centre_px - Vector2d(half_width_px, 0), reference);
+    const auto right = ground_point(centre_px + Vector2d(half_width_px, 0), reference);
+    const double width_m = left && right ? (*left - *right).norm() : 0.0;
+    return GroundPatch{transform(T_end_reference, *near), transform(T_end_reference, *far), width_m};
 }
 
 }  // namespace flownav

@@ -217,9 +217,10 @@ void write_step(CArchive& out, const Step& s) {
     write_list(out, s.ground, write_patch);
     write_numbers<2>(out, {s.scan.first_bearing_rad, s.scan.step_rad});
     write_list(out, s.scan.beams, write_beam);
+    for (const GroundPatch& patch : s.ground) write_numbers<1>(out, {patch.width_m});
 }
 
-Step read_step(CArchive& in) {
+Step read_step(CArchive& in, int version) {
     Step s;
     const auto n = read_numbers<8>(in);
     s.timestamp_s = n[0];
@@ -241,6 +242,8 @@ Step read_step(CArchive& in) {
     s.scan.first_bearing_rad = bearings[0];
     s.scan.step_rad = bearings[1];
     s.scan.beams = read_list(in, "beams", read_beam);
+    if (version >= 1)
+        for (GroundPatch& patch : s.ground) patch.width_m = read_numbers<1>(in)[0];
     return s;
 }
 

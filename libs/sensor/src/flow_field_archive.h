@@ -6,12 +6,13 @@
 
 namespace flownav {
 
-/// The stored form of CObservationFlowField, version 0. Reading throws std::runtime_error where a number
-/// cannot be true, and never allocates more than the archive delivers.
+/// The stored form of CObservationFlowField: what is written is version 1,
+/// which adds the widths of the patches of floor to version 0. Reading throws std::runtime_error where a
+/// number cannot be true, and never allocates more than the archive delivers.
 void write_camera(mrpt::serialization::CArchive& out, const CameraModel& camera);
 CameraModel read_camera(mrpt::serialization::CArchive& in);
 void write_step(mrpt::serialization::CArchive& out, const pipeline::Step& step);
-pipeline::Step read_step(mrpt::serialization::CArchive& in);
+pipeline::Step read_step(mrpt::serialization::CArchive& in, int version);
 
 /// The number that stands for a word in files, whatever its place in the enum.
 int stored_number(FieldStatus status);

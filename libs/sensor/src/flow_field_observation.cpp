@@ -19,7 +19,7 @@ void CObservationFlowField::setSensorPose(const mrpt::poses::CPose3D& pose) {
 }
 
 std::uint8_t CObservationFlowField::serializeGetVersion() const {
-    return 0;
+    return 1;
 }
 
 void CObservationFlowField::serializeTo(mrpt::serialization::CArchive& out) const {
@@ -31,9 +31,10 @@ void CObservationFlowField::serializeTo(mrpt::serialization::CArchive& out) cons
 void CObservationFlowField::serializeFrom(mrpt::serialization::CArchive& in, std::uint8_t version) {
     switch (version) {
         case 0:
+        case 1:
             in >> timestamp >> sensorLabel;
             camera = read_camera(in);
-            step = read_step(in);
+            step = read_step(in, version);
             break;
         default:
             MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);

@@ -70,7 +70,7 @@ pipeline::Step finished_cycle() {
     }
     s.obstacles = {{{next(), next(), next()}, next(), next.pair(), false},
                    {{next(), next(), next()}, next(), next.pair(), true}};
-    s.ground = {{next.pair(), next.pair()}};
+    s.ground = {{next.pair(), next.pair(), 0.125}};
     s.scan = {-0.2, 0.2, {{BeamKind::Unknown, 0.0}, {BeamKind::Free, next()}, {BeamKind::Obstacle, next()}}};
     return s;
 }
@@ -142,6 +142,7 @@ void expect_equal(const ObstaclePoint& a, const ObstaclePoint& b) {
 }
 
 void expect_equal(const GroundPatch& a, const GroundPatch& b) {
+    EXPECT_EQ(a.width_m, b.width_m);
     EXPECT_EQ(a.near_m, b.near_m);
     EXPECT_EQ(a.far_m, b.far_m);
 }

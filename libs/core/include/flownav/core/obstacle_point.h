@@ -11,11 +11,12 @@ struct ObstaclePoint {
     bool moving = false;  ///< it moves by itself: the range is that of its contact with the ground
 };
 
-/// A patch of floor that was seen to be floor: a short segment on the ground along the line of sight, in the
+/// A patch of floor that was seen to be floor: a short strip on the ground along the line of sight, in the
 /// ROBOT frame at the end of its cycle.
 struct GroundPatch {
     Eigen::Vector2d near_m = Eigen::Vector2d::Zero();
     Eigen::Vector2d far_m = Eigen::Vector2d::Zero();
+    double width_m = 0.0;  ///< across the line from near to far, which is its middle
 };
 
 }  // namespace flownav

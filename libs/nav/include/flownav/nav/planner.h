@@ -10,14 +10,16 @@
 namespace flownav::nav {
 
 struct PlanParams {
-    double margin_m = 0.07;      ///< kept beyond the robot's half width, whatever the detour
-    double comfort_m = 0.3;      ///< ways nearer than this to an obstacle, beyond the margin, cost more
-    double comfort_cost = 6.0;   ///< of a metre right at the margin, in metres
-    double unknown_cost = 1.5;   ///< of a metre through unseen ground, in metres
-    double p_occupied = 0.45;    ///< cells less likely FREE than this are obstacles
-    double area_margin_m = 6.0;  ///< how far beside start, goal and map a way may lead
-    double area_max_m = 200.0;   ///< edge of the planned area
-    double look_ahead_m = 1.6;   ///< of the way point that a local navigator is given
+    double margin_m = 0.07;           ///< kept beyond the robot's half width, whatever the detour
+    double comfort_m = 0.3;           ///< ways nearer than this to an obstacle, beyond the margin, cost more
+    double comfort_cost = 6.0;        ///< of a metre right at the margin, in metres
+    double unknown_cost = 1.5;        ///< of a metre through unseen ground, in metres
+    double p_occupied = 0.45;         ///< cells less likely FREE than this are obstacles
+    double bold_margin_m = 0.03;      ///< when there is no way otherwise; then also
+    double p_surely_occupied = 0.25;  ///< only cells less likely free than this
+    double area_margin_m = 6.0;       ///< how far beside start, goal and map a way may lead
+    double area_max_m = 200.0;        ///< edge of the planned area
+    double look_ahead_m = 1.6;        ///< of the way point that a local navigator is given
 };
 
 /// A way over the map, from the robot to the goal.
