@@ -1,8 +1,18 @@
 #include "flownav/nav/autopilot.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace flownav::nav {
+namespace {
+
+/// A navigator that decides more seldom is not silent yet.
+GuardParams patient_with(const NavigationParams& navigation, GuardParams guard) {
+    guard.silent_s = std::max(guard.silent_s, 1.5 * navigation.decide_every_s);
+    return guard;
+}
+
+}  // namespace
 
 Autopilot::Autopilot(const NavigationParams& navigation, const MapParams& map, const GuardParams& guard,
                      Pilot pilot, const Pose2& start)
@@ -11,7 +21,7 @@ Autopilot::Autopilot(const NavigationParams& navigation, const MapParams& map, c
       local_(map),
       map_(map),
       pilot_(std::move(pilot)),
-      guard_(navigation.robot, guard) {}
+      guard_(navigation.robot, patient_with(navigation, guard)) {}
 
 void Autopilot::odometry(double time_s, const Pose2& T_odom_robot, const MotionCommand& motion) {
     motion_ = motion;

@@ -49,26 +49,32 @@ int GroundMemory::note(const mrpt::maps::COccupancyGridMap2D& local_map, double 
                        const Pose2& T_map_robot) {
     const Vector2i middle = index_of({T_map_robot.x_m, T_map_robot.y_m});
     const Pose2 T_robot_map = inverse(T_map_robot);
+    const Vector2d origin = transform(T_robot_map, {0.0, 0.0});
+    const Vector2d along_x = transform(T_robot_map, {params_.cell_m, 0.0}) - origin;
+    const Vector2d along_y = transform(T_robot_map, {0.0, params_.cell_m}) - origin;
     int fresh = 0;
     for (int y = middle.y() - side_ / 2 + 1; y < middle.y() + side_ / 2; ++y) {
         for (int x = middle.x() - side_ / 2 + 1; x < middle.x() + side_ / 2; ++x) {
-            const Vector2i index(x, y);
-            const Vector2d p = transform(T_robot_map, middle_of(index));
+            const Vector2d p = origin + (x + 0.5) * along_x + (y + 0.5) * along_y;
             // Outside the map it says 0.5.
             const double p_free = local_map.getCell(local_map.x2idx(p.x()), local_map.y2idx(p.y()));
-            const bool is_free = p_free > params_.p_free;
-            if (!is_free && p_free >= params_.p_occupied) continue;
-            const bool was_unknown = at(index, time_s) == Ground::Unknown;
-            fresh += is_free && was_unknown;
-            Cell& cell = place(index);
-            if (!is_free) {
-                cell = {index, Ground::Occupied, time_s + params_.obstacle_s};
-            } else if (at(index, time_s) != Ground::Driven || cell.until_s < time_s + params_.free_s) {
-                cell = {index, Ground::Free, time_s + params_.free_s};
-            }
+            if (p_free >= params_.p_occupied && p_free <= params_.p_free) continue;
+            fresh += note_cell({x, y}, p_free > params_.p_free, time_s);
         }
     }
     return fresh;
+}
+
+/// True: free, and it was unknown.
+bool GroundMemory::note_cell(const Vector2i& index, bool is_free, double time_s) {
+    const Ground before = at(index, time_s);
+    Cell& cell = place(index);
+    if (!is_free) {
+        cell = {index, Ground::Occupied, time_s + params_.obstacle_s};
+    } else if (before != Ground::Driven || cell.until_s < time_s + params_.free_s) {
+        cell = {index, Ground::Free, time_s + params_.free_s};
+    }
+    return is_free && before == Ground::Unknown;
 }
 
 void GroundMemory::note_obstacle(const Vector2d& at_m, double time_s) {

@@ -2,18 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "flownav/nav/motion_model.h"
 #include "sentence.h"
 
 namespace flownav::nav {
 namespace {
 
-using Eigen::Vector2d;
-
-constexpr double outline_step_wanted_m = 0.05;
-constexpr double inside_cells = 0.75;
 constexpr double standing_mps = 0.01;
 constexpr double slowest_mps = 0.02;  // of the outline: slower is a stop
 constexpr int halvings = 5;           // of the search for the fastest speed
@@ -21,26 +15,6 @@ constexpr double hurry = 1.5;         // a robot may be this much faster than it
 constexpr double pose_jump_m = 0.25;
 constexpr double pose_jump_rad = 0.2;
 constexpr double rounding_m = 1e-7;
-
-/// Points all along the outline, a little inside, where the cells below the robot are driven over.
-std::vector<Vector2d> points_around(const Polygon& polygon, double inside_m) {
-    std::vector<Vector2d> points;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vector2d& a = polygon[i];
-        const Vector2d side = polygon[(i + 1) % polygon.size()] - a;
-        const Vector2d inward = Vector2d(-side.y(), side.x()).normalized() * inside_m;
-        const int steps = std::max(1, static_cast<int>(std::ceil(side.norm() / outline_step_wanted_m)));
-        for (int k = 0; k < steps; ++k) points.emplace_back(a + side * (k + 0.5) / steps + inward);
-    }
-    return points;
-}
-
-/// The path, and what a robot that came to stand a little later would pass.
-std::vector<Pose2> prolonged(std::vector<Pose2> path, const MotionCommand& command, double time_s) {
-    const Pose2 end = path.back();
-    for (const double share : {0.5, 1.0}) path.push_back(compose(end, pose_after(command, share * time_s)));
-    return path;
-}
 
 MotionCommand scaled(const MotionCommand& command, double share) {
     return {command.v_mps * share, command.omega_radps * share};
@@ -55,12 +29,11 @@ bool needs_probe(GuardReason reason) {
 Guard::Guard(const RobotModel& robot, const GuardParams& params)
     : robot_(robot),
       params_(params),
-      radius_m_(circumscribed_radius_m(robot.footprint_m)),
-      outline_m_(points_around(robot.footprint_m, inside_cells * params.ground.cell_m)),
       sensor_(params.sensor),
       odometry_(robot, params.odometry),
       ground_(params.ground),
-      hold_s_(params.period_s) {}
+      foresight_(robot, params.foresight, params.ground.cell_m),
+      hold_s_(params.foresight.period_s) {}
 
 void Guard::sensed(const SensorReport& report) {
     sensor_.sensed(report);
@@ -84,7 +57,7 @@ void Guard::proposed(double time_s, const MotionCommand& command) {
 Verdict Guard::judge(double time_s, const Pose2& T_map_robot, const MotionCommand& motion) {
     note_pose(time_s, T_map_robot, motion);
     const Fault fault = held(fault_now(time_s), time_s);
-    const Now now = look(time_s, T_map_robot, motion);
+    const Surroundings now = foresight_.look(ground_, time_s, T_map_robot, motion);
     Verdict verdict;
     if (fault && !may_turn_out(fault, time_s)) {
         verdict = {{}, GuardAction::Stop, fault.reason, fault.why};
@@ -151,7 +124,7 @@ bool Guard::may_turn_out(const Fault& fault, double time_s) const {
 
 void Guard::note_pose(double time_s, const Pose2& T_map_robot, const MotionCommand& motion) {
     const double dt_s = last_ ? time_s - last_->time_s : 0.0;
-    hold_s_ = std::max(params_.period_s, std::min(dt_s, 1.0));
+    hold_s_ = std::max(params_.foresight.period_s, std::min(dt_s, 1.0));
     if (last_) {
         const Pose2 moved = compose(inverse(last_->T_map_robot), T_map_robot);
         const double way_max_m = hurry * std::max(robot_.v_max_mps, robot_.v_back_mps) * dt_s + pose_jump_m;
@@ -169,90 +142,20 @@ void Guard::note_pose(double time_s, const Pose2& T_map_robot, const MotionComma
     last_ = Moment{time_s, T_map_robot};
 }
 
-Guard::Now Guard::look(double time_s, const Pose2& T_map_robot, const MotionCommand& motion) const {
-    Now now{time_s, T_map_robot, motion, {}};
-    now.motion.v_mps =
-        std::clamp(motion.v_mps, -hurry * robot_.v_back_mps, hurry * std::max(robot_.v_max_mps, 0.0));
-    now.motion.omega_radps =
-        std::clamp(motion.omega_radps, -hurry * robot_.omega_max_radps, hurry * robot_.omega_max_radps);
-    const double fastest_mps = std::max({std::abs(now.motion.v_mps), robot_.v_max_mps, robot_.v_back_mps});
-    const double reach_m = stopping_distance_m(robot_, fastest_mps) + fastest_mps * params_.period_s +
-                           2.0 * radius_m_ + params_.touch_m + params_.margin_s * outline_mps(now.motion);
-    const Pose2 T_robot_map = inverse(T_map_robot);
-    for (const Vector2d& p : ground_.obstacles({T_map_robot.x_m, T_map_robot.y_m}, reach_m, time_s))
-        now.obstacles_m.push_back(transform(T_robot_map, p));
-    now.nearest_m = std::numeric_limits<double>::infinity();
-    const auto inside = [&](const Vector2d& p) {
-        const double distance_m = signed_distance_m(robot_.footprint_m, p);
-        if (distance_m > 0.0) now.nearest_m = std::min(now.nearest_m, distance_m);
-        return distance_m <= 0.0;  // what stands where the robot stands is none
-    };
-    now.obstacles_m.erase(std::remove_if(now.obstacles_m.begin(), now.obstacles_m.end(), inside),
-                          now.obstacles_m.end());
-    return now;
-}
-
-double Guard::outline_mps(const MotionCommand& command) const {
-    return std::abs(command.v_mps) + std::abs(command.omega_radps) * radius_m_;
-}
-
 MotionCommand Guard::limited() const {
     const MotionCommand& wanted = proposal_->command;
     return {std::clamp(wanted.v_mps, -robot_.v_back_mps, robot_.v_max_mps),
             std::clamp(wanted.omega_radps, -robot_.omega_max_radps, robot_.omega_max_radps)};
 }
 
-bool Guard::touches(const Now& now, const Pose2& T_robot_then, double margin_m, Vector2d& where_m) const {
-    const Pose2 T_then_robot = inverse(T_robot_then);
-    for (const Vector2d& obstacle : now.obstacles_m) {
-        const Vector2d p = transform(T_then_robot, obstacle);
-        if (p.norm() > radius_m_ + margin_m) continue;
-        if (signed_distance_m(robot_.footprint_m, p) >= margin_m) continue;
-        where_m = obstacle;
-        return true;
-    }
-    return false;
-}
-
-bool Guard::is_unseen(const Now& now, const Pose2& T_robot_then) const {
-    const Pose2 T_map_then = compose(now.T_map_robot, T_robot_then);
-    const int most = static_cast<int>(params_.unseen_max_m / outline_step_wanted_m);
-    int unseen = 0;
-    for (const Vector2d& point : outline_m_) {
-        unseen += !ground_.is_seen(transform(T_map_then, point), now.time_s);
-        if (unseen > most) return true;
-    }
-    return false;
-}
-
-Guard::Outlook Guard::outlook(const Now& now, const MotionCommand& candidate) const {
-    const std::vector<Pose2> path =
-        stopping_path(robot_, now.motion, sent_, now.time_s, {now.time_s, candidate}, hold_s_);
-    const double half_cell_m = params_.ground.cell_m / 2;
-    const double touch_m = std::min(params_.touch_m + half_cell_m, now.nearest_m - rounding_m);
-    // A crawling robot may stay as near as it is, but come no nearer.
-    const double fast_mps = std::max(0.0, outline_mps(candidate) - params_.crawl_mps);
-    const double margin_m =
-        fast_mps > 0.0 ? params_.touch_m + half_cell_m + params_.margin_s * fast_mps : touch_m;
-    Outlook outlook;
-    for (std::size_t i = 1; i < path.size() && !outlook.touches; ++i)
-        outlook.touches = touches(now, path[i], margin_m, outlook.where_m);
-    if (outlook.touches) return outlook;
-    const double spare_s = 2.0 * inside_cells * params_.ground.cell_m / outline_mps(candidate);
-    const std::vector<Pose2> on = prolonged(path, candidate, spare_s);
-    outlook.unseen = std::any_of(on.begin() + 1, on.end(),
-                                 [&](const Pose2& T_robot_then) { return is_unseen(now, T_robot_then); });
-    return outlook;
-}
-
-Fault Guard::objection(const Now& now, const MotionCommand& candidate) const {
-    const double fast_mps = outline_mps(candidate);
+Fault Guard::objection(const Surroundings& now, const MotionCommand& candidate) const {
+    const double fast_mps = foresight_.outline_mps(candidate);
     if (fast_mps == 0.0) return {};
-    const bool crawls = fast_mps <= params_.crawl_mps + rounding_m;
+    const bool crawls = fast_mps <= params_.foresight.crawl_mps + rounding_m;
     if (probing_since_s_ && !crawls) {
         return {GuardReason::OdometryContradiction, "flow and wheels must agree about a slow motion first"};
     }
-    const Outlook ahead = outlook(now, candidate);
+    const Outlook ahead = foresight_.outlook(ground_, now, sent_, candidate, hold_s_);
     if (ahead.touches) {
         return {GuardReason::ObstacleAhead, sentence("an obstacle at (", ahead.where_m.x(), ", ",
                                                      ahead.where_m.y(), ") m, seen from the robot")};
@@ -266,27 +169,28 @@ Fault Guard::objection(const Now& now, const MotionCommand& candidate) const {
     return {};
 }
 
-Verdict Guard::allow(const Now& now, const MotionCommand& wanted) const {
+Verdict Guard::allow(const Surroundings& now, const MotionCommand& wanted) const {
     const Fault first = objection(now, wanted);
     if (!first) return {wanted, GuardAction::Pass, GuardReason::None, ""};
-    const double fast_mps = outline_mps(wanted);
+    const double fast_mps = foresight_.outline_mps(wanted);
     double good = 0.0, bad = 1.0;
     const auto try_share = [&](double share) {
         (objection(now, scaled(wanted, share)) ? bad : good) = share;
     };
-    if (fast_mps > params_.crawl_mps) try_share(params_.crawl_mps / fast_mps);
+    if (fast_mps > params_.foresight.crawl_mps) try_share(params_.foresight.crawl_mps / fast_mps);
     for (int i = 0; i < halvings; ++i) try_share((good + bad) / 2);
     const MotionCommand slow = scaled(wanted, good);
-    if (outline_mps(slow) < slowest_mps) return {{}, GuardAction::Stop, first.reason, first.why};
+    if (foresight_.outline_mps(slow) < slowest_mps) return {{}, GuardAction::Stop, first.reason, first.why};
     return {slow, GuardAction::Slow, first.reason, first.why};
 }
 
-Verdict Guard::sent(const Now& now, const Verdict& verdict) {
+Verdict Guard::sent(const Surroundings& now, const Verdict& verdict) {
     // Counts as creeping what may lead over unseen ground.
-    over_unseen_ = outline_mps(verdict.command) > 0.0 && outlook(now, verdict.command).unseen;
+    over_unseen_ = foresight_.outline_mps(verdict.command) > 0.0 &&
+                   foresight_.outlook(ground_, now, sent_, verdict.command, hold_s_).unseen;
     sent_.push_back({now.time_s, verdict.command});
     // The last one before the delay is still in force.
-    while (sent_.size() > 1 && sent_[1].time_s <= now.time_s - robot_.delay_s - params_.period_s)
+    while (sent_.size() > 1 && sent_[1].time_s <= now.time_s - robot_.delay_s - params_.foresight.period_s)
         sent_.pop_front();
     log(now.time_s, verdict);
     return verdict;

@@ -250,7 +250,7 @@ TEST(Guard, SlowsBeforeGroundThatWasNeverSeen) {
     drive.go(3.0);
     EXPECT_EQ(drive.verdict.reason, GuardReason::UnseenAhead);
     EXPECT_GT(drive.robot.pose().x_m, 0.1);  // it has to move to see,
-    EXPECT_LE(drive.robot.motion().v_mps, GuardParams().crawl_mps + 1e-9);
+    EXPECT_LE(drive.robot.motion().v_mps, GuardParams().foresight.crawl_mps + 1e-9);
     drive.go(20.0);
     EXPECT_EQ(drive.verdict.action, GuardAction::Stop);  // but not for ever
     EXPECT_LT(drive.robot.pose().x_m, GuardParams().crawl_max_m + 0.1);

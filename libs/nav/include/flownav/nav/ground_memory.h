@@ -63,6 +63,7 @@ class GroundMemory {
     Cell& place(const Eigen::Vector2i& index);
     const Cell& place(const Eigen::Vector2i& index) const;
     Ground at(const Eigen::Vector2i& index, double time_s) const;
+    bool note_cell(const Eigen::Vector2i& index, bool is_free, double time_s);
 
     GroundMemoryParams params_;
     int side_;  ///< cells along the edge of the ring

@@ -10,6 +10,7 @@
 #include "flownav/core/pose2.h"
 #include "flownav/core/robot_model.h"
 #include "flownav/core/sensor_report.h"
+#include "flownav/nav/foresight.h"
 #include "flownav/nav/ground_memory.h"
 #include "flownav/nav/guard_reason.h"
 #include "flownav/nav/odometry_watch.h"
@@ -22,17 +23,13 @@ struct GuardParams {
     SensorWatchParams sensor;
     OdometryWatchParams odometry;
     GroundMemoryParams ground;
+    ForesightParams foresight;
     bool needs_fields = true;   ///< false: the obstacles come from another sensor, only the map is watched
     double map_stale_s = 1.5;   ///< age of the newest local map
-    double silent_s = 0.5;      ///< without a proposal
+    double silent_s = 0.3;      ///< without a proposal; longer than the navigator's period
     double resume_s = 0.4;      ///< everything must be well for so long before the robot moves again
-    double period_s = 0.06;     ///< at least this often judge() is called
-    double touch_m = 0.02;      ///< distance that is kept to obstacles, even when crawling,
-    double margin_s = 0.1;      ///< and what the fastest point of the outline moves in this time
-    double crawl_mps = 0.1;     ///< fastest point of the outline over unseen ground
     double crawl_max_m = 0.6;   ///< way over unseen ground without seeing any new
     int new_cells = 8;          ///< free cells of one map that are new ground
-    double unseen_max_m = 0.1;  ///< of the outline may pass over unseen ground and it still counts as seen
     double turn_free_s = 3.0;   ///< a standing robot with a blind sector may turn on the spot after so long
     double probe_wait_s = 1.0;  ///< first pause of a robot whose odometry and flow disagree; doubles,
     double probe_max_s = 8.0;   ///< up to this
@@ -85,42 +82,23 @@ class Guard {
         double time_s = 0.0;
         Pose2 T_map_robot;
     };
-    struct Now {
-        double time_s = 0.0;
-        Pose2 T_map_robot;
-        MotionCommand motion;
-        std::vector<Eigen::Vector2d> obstacles_m;  ///< robot frame, within reach, outside the footprint
-        double nearest_m = 0.0;                    ///< distance of the footprint to the nearest of them
-    };
-    /// What a command, and a stop right after it, would lead to.
-    struct Outlook {
-        bool touches = false;
-        bool unseen = false;
-        Eigen::Vector2d where_m = Eigen::Vector2d::Zero();  ///< the obstacle, robot frame
-    };
 
     void note_pose(double time_s, const Pose2& T_map_robot, const MotionCommand& motion);
     Fault fault_now(double time_s);
     Fault held(const Fault& fault, double time_s);
     bool may_turn_out(const Fault& fault, double time_s) const;
-    Now look(double time_s, const Pose2& T_map_robot, const MotionCommand& motion) const;
-    double outline_mps(const MotionCommand& command) const;
     MotionCommand limited() const;
-    bool touches(const Now& now, const Pose2& T_robot_then, double margin_m, Eigen::Vector2d& where_m) const;
-    bool is_unseen(const Now& now, const Pose2& T_robot_then) const;
-    Outlook outlook(const Now& now, const MotionCommand& candidate) const;
-    Fault objection(const Now& now, const MotionCommand& candidate) const;
-    Verdict allow(const Now& now, const MotionCommand& wanted) const;
-    Verdict sent(const Now& now, const Verdict& verdict);
+    Fault objection(const Surroundings& now, const MotionCommand& candidate) const;
+    Verdict allow(const Surroundings& now, const MotionCommand& wanted) const;
+    Verdict sent(const Surroundings& now, const Verdict& verdict);
     void log(double time_s, const Verdict& verdict);
 
     RobotModel robot_;
     GuardParams params_;
-    double radius_m_;                         ///< of the circle about the footprint
-    std::vector<Eigen::Vector2d> outline_m_;  ///< points all around the footprint
     SensorWatch sensor_;
     OdometryWatch odometry_;
     GroundMemory ground_;
+    Foresight foresight_;
     std::optional<TimedCommand> proposal_;
     std::optional<double> map_s_;
     std::optional<Moment> last_;             ///< judgement

@@ -1,0 +1,130 @@
+#include "flownav/nav/foresight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "flownav/nav/motion_model.h"
+
+namespace flownav::nav {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double outline_step_m = 0.05;
+constexpr double inside_cells = 0.75;
+constexpr double hurry = 1.5;  // a robot may be this much faster than its model
+constexpr double rounding_m = 1e-7;
+
+/// Points all along the outline, a little inside, where the cells below the robot are driven over.
+std::vector<Vector2d> points_around(const Polygon& polygon, double inside_m) {
+    std::vector<Vector2d> points;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vector2d& a = polygon[i];
+        const Vector2d side = polygon[(i + 1) % polygon.size()] - a;
+        const Vector2d inward = Vector2d(-side.y(), side.x()).normalized() * inside_m;
+        const int steps = std::max(1, static_cast<int>(std::ceil(side.norm() / outline_step_m)));
+        for (int k = 0; k < steps; ++k) points.emplace_back(a + side * (k + 0.5) / steps + inward);
+    }
+    return points;
+}
+
+/// The path, and what a robot that came to stand a little later would pass.
+std::vector<Pose2> prolonged(std::vector<Pose2> path, const MotionCommand& command, double time_s) {
+    const Pose2 end = path.back();
+    for (const double share : {0.5, 1.0}) path.push_back(compose(end, pose_after(command, share * time_s)));
+    return path;
+}
+
+}  // namespace
+
+Foresight::Foresight(const RobotModel& robot, const ForesightParams& params, double cell_m)
+    : robot_(robot),
+      params_(params),
+      cell_m_(cell_m),
+      radius_m_(circumscribed_radius_m(robot.footprint_m)),
+      outline_m_(points_around(robot.footprint_m, inside_cells * cell_m)) {}
+
+double Foresight::outline_mps(const MotionCommand& command) const {
+    return std::abs(command.v_mps) + std::abs(command.omega_radps) * radius_m_;
+}
+
+double Foresight::reach_m(const MotionCommand& motion) const {
+    const double fastest_mps = std::max({std::abs(motion.v_mps), robot_.v_max_mps, robot_.v_back_mps});
+    const double outline =
+        fastest_mps + std::max(robot_.omega_max_radps, std::abs(motion.omega_radps)) * radius_m_;
+    return stopping_distance_m(robot_, fastest_mps) + fastest_mps * params_.period_s + 2.0 * radius_m_ +
+           params_.touch_m + params_.margin_s * outline;
+}
+
+Surroundings Foresight::look(const GroundMemory& ground, double time_s, const Pose2& T_map_robot,
+                             const MotionCommand& motion) const {
+    Surroundings now{time_s, T_map_robot, motion, {}, std::numeric_limits<double>::infinity()};
+    now.motion.v_mps = std::clamp(motion.v_mps, -hurry * robot_.v_back_mps, hurry * robot_.v_max_mps);
+    now.motion.omega_radps =
+        std::clamp(motion.omega_radps, -hurry * robot_.omega_max_radps, hurry * robot_.omega_max_radps);
+    const Pose2 T_robot_map = inverse(T_map_robot);
+    const Vector2d here(T_map_robot.x_m, T_map_robot.y_m);
+    for (const Vector2d& obstacle : ground.obstacles(here, reach_m(now.motion), time_s)) {
+        const Vector2d p = transform(T_robot_map, obstacle);
+        const double distance_m = signed_distance_m(robot_.footprint_m, p);
+        if (distance_m <= 0.0) continue;  // what stands where the robot stands is none
+        now.obstacles_m.push_back(p);
+        now.nearest_m = std::min(now.nearest_m, distance_m);
+    }
+    return now;
+}
+
+/// A crawling robot may stay as near as it is, but come no nearer.
+double Foresight::margin_m(const Surroundings& now, const MotionCommand& candidate) const {
+    const double touch_m = params_.touch_m + cell_m_ / 2;
+    const double fast_mps = outline_mps(candidate) - params_.crawl_mps;
+    if (fast_mps > rounding_m) return touch_m + params_.margin_s * fast_mps;
+    return std::min(touch_m, now.nearest_m - rounding_m);
+}
+
+bool Foresight::touches(const Surroundings& now, const Pose2& T_robot_then, double margin_m,
+                        Vector2d& where_m) const {
+    const Pose2 T_then_robot = inverse(T_robot_then);
+    for (const Vector2d& obstacle : now.obstacles_m) {
+        const Vector2d p = transform(T_then_robot, obstacle);
+        if (p.norm() > radius_m_ + margin_m) continue;
+        if (signed_distance_m(robot_.footprint_m, p) >= margin_m) continue;
+        where_m = obstacle;
+        return true;
+    }
+    return false;
+}
+
+bool Foresight::is_unseen(const GroundMemory& ground, const Surroundings& now,
+                          const Pose2& T_robot_then) const {
+    const Pose2 T_map_then = compose(now.T_map_robot, T_robot_then);
+    const int most = static_cast<int>(params_.unseen_max_m / outline_step_m);
+    int unseen = 0;
+    for (const Vector2d& point : outline_m_) {
+        unseen += !ground.is_seen(transform(T_map_then, point), now.time_s);
+        if (unseen > most) return true;
+    }
+    return false;
+}
+
+Outlook Foresight::outlook(const GroundMemory& ground, const Surroundings& now,
+                           const std::deque<TimedCommand>& sent, const MotionCommand& candidate,
+                           double hold_s) const {
+    const std::vector<Pose2> path =
+        stopping_path(robot_, now.motion, sent, now.time_s, {now.time_s, candidate}, hold_s);
+    const double margin = margin_m(now, candidate);
+    Outlook outlook;
+    outlook.touches = std::any_of(path.begin() + 1, path.end(), [&](const Pose2& T_robot_then) {
+        return touches(now, T_robot_then, margin, outlook.where_m);
+    });
+    if (outlook.touches) return outlook;
+    const double spare_s = 2.0 * inside_cells * cell_m_ / outline_mps(candidate);
+    const std::vector<Pose2> on = prolonged(path, candidate, spare_s);
+    outlook.unseen = std::any_of(on.begin() + 1, on.end(), [&](const Pose2& T_robot_then) {
+        return is_unseen(ground, now, T_robot_then);
+    });
+    return outlook;
+}
+
+}  // namespace flownav::nav
