@@ -34,7 +34,7 @@ Line draw_line(Random& random) {
         if (i > 0) heading_rad += random.chance(0.5) ? bend_rad : -bend_rad;
         line.headings_rad.push_back(heading_rad);
         line.lengths_m.push_back(random.uniform(4.3, 5.6));
-        line.points_m.push_back(line.points_m.back() + line.lengths_m.back() * direction(heading_rad));
+        line.points_m.emplace_back(line.points_m.back() + line.lengths_m.back() * direction(heading_rad));
     }
     return line;
 }
@@ -86,9 +86,11 @@ World draw_corridor(Random& random) {
     builder.wall(right.back(), left.back());
     for (std::size_t i = 0; i < line.lengths_m.size(); ++i) {
         const double from_m = i == 0 ? before_start_m + 1.8 : 1.3;
-        for (double s_m = from_m; s_m < line.lengths_m[i] - 1.6; s_m += random.uniform(1.1, 1.9)) {
+        double s_m = from_m;
+        while (s_m < line.lengths_m[i] - 1.6) {
             const Vector2d at = line.points_m[i] + s_m * direction(line.headings_rad[i]);
             furnish(builder, random, {at.x(), at.y(), line.headings_rad[i]}, width_m);
+            s_m += random.uniform(1.1, 1.9);
         }
     }
     world.goal = line.points_m.back() - 1.0 * direction(line.headings_rad.back());

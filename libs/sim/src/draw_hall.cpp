@@ -58,12 +58,13 @@ World draw_forest(Random& random) {
         for (const Vector2d& other : taken) free = free && (other - at).norm() > apart_m;
         if (!free) continue;
         taken.push_back(at);
-        if (kind < 0.8)
+        if (kind < 0.8) {
             builder.pole("trunk", at, 0.07 + 0.15 * size_m, 2.5, lean_rad);
-        else if (kind < 0.9)
+        } else if (kind < 0.9) {
             builder.pole("stump", at, 0.12 + 0.1 * size_m, 0.25 + 0.3 * size_m);
-        else
+        } else {
             builder.boulder("boulder", at, 0.25 + 0.2 * size_m);
+        }
     }
     world.start = {start.x(), start.y(), 0.0};
     world.goal = goal;

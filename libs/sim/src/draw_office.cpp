@@ -43,9 +43,10 @@ void inner_walls(Office& office) {
     const double w = office.room_m.x();
     const double h = office.room_m.y();
     for (int row = 0; row < rows; ++row) {
-        for (int column = 1; column < columns; ++column)
+        for (int column = 1; column < columns; ++column) {
             inner_wall(office, {column * w, row * h}, {column * w, (row + 1) * h},
                        office.random.chance(0.75));
+        }
     }
     for (int column = 0; column < columns; ++column)
         inner_wall(office, {column * w, h}, {(column + 1) * w, h}, office.random.chance(0.75));

@@ -71,9 +71,10 @@ class Driver {
         const bool known = step.word == "forward" || step.word == "back" || most == 2 ||
                            step.word == "wait" || step.word == "speed" || step.word == "turn";
         if (!known) refuse(step.text, "a step is forward, back, left, right, wait, speed or turn");
-        if (step.numbers.empty() || step.numbers.size() > most)
+        if (step.numbers.empty() || step.numbers.size() > most) {
             refuse(step.text,
                    most == 2 ? "needs an angle in degrees, and at most a radius" : "needs one number");
+        }
         take(step, step.numbers.front());
     }
 
@@ -96,9 +97,10 @@ class Driver {
         }
         if (step.word == "turn") {
             omega_radps_ = value * degree;
-            if (omega_radps_ > robot_.omega_max_radps)
+            if (omega_radps_ > robot_.omega_max_radps) {
                 refuse(step.text,
                        "the robot's fastest is " + text(robot_.omega_max_radps / degree) + " deg/s");
+            }
             return;
         }
         const double angle_rad = (step.word == "left" ? value : -value) * degree;
@@ -160,10 +162,11 @@ class Driver {
             const double share = std::sqrt(first.duration_s / ((up_s + down_s) / 2));
             first = {{first.command.v_mps * share, 0.0}, whole_steps(up_s * share)};
         } else {
-            if (first.command.omega_radps == 0.0)
+            if (first.command.omega_radps == 0.0) {
                 first.duration_s += whole_steps(up_s / 2);
-            else
+            } else {
                 holds_.push_back({{first.command.v_mps, 0.0}, whole_steps(up_s)});
+            }
             if (last.command.omega_radps == 0.0) last.duration_s -= whole_steps(down_s / 2);
         }
         for (Hold& move : moving_) move.duration_s = std::max(move.duration_s, 0.0);

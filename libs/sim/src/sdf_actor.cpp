@@ -91,12 +91,13 @@ Parts parts_of(const sdf::ElementPtr& actor, const std::string& name, std::vecto
                 const std::string place = name + "/" + part->Get<std::string>("name");
                 const Isometry3d T = pose_of(link) * pose_of(part);
                 const auto shape = shape_of(part);
-                if (!shape)
+                if (!shape) {
                     warnings.push_back(place + ": only boxes, cylinders and spheres are simulated; left out");
-                else if (part->GetName() == "collision")
+                } else if (part->GetName() == "collision") {
                     parts.add_solid(*shape, T, place);
-                else
+                } else {
                     parts.add_visible(*shape, T, look_of(part), place);
+                }
             }
         }
     }

@@ -33,9 +33,10 @@ Eigen::Isometry3d to_isometry(const ignition::math::Pose3d& pose) {
 
 Shape checked(const Shape& shape) {
     for (const double measure_m : measures(shape)) {
-        if (!(measure_m > 0.0) || !std::isfinite(measure_m))
+        if (!(measure_m > 0.0) || !std::isfinite(measure_m)) {
             throw std::invalid_argument("a shape has the measure " + text_of(measure_m) +
                                         "; it must be > 0 m");
+        }
     }
     return shape;
 }

@@ -90,10 +90,11 @@ class Conversion {
         const Isometry3d pose = T_world_link * pose_of(thing);
         const sdf::Geometry& geometry = *thing.Geom();
         if (const auto shape = shape_of(geometry)) {
-            if (visual)
+            if (visual) {
                 parts.add_visible(*shape, pose, look_of(*visual), name);
-            else
+            } else {
                 parts.add_solid(*shape, pose, name);
+            }
         } else if (geometry.PlaneShape() && is_floor(*geometry.PlaneShape(), pose)) {
             if (visual) loaded_.world.floor = look_of(*visual).value_or(loaded_.world.floor);
         } else {

@@ -27,10 +27,11 @@ Pose2 part_of_arc(const Pose2& to, double share) {
 std::vector<std::string> split(const std::string& line) {
     std::vector<std::string> cells(1);
     for (const char c : line) {
-        if (c == ',')
+        if (c == ',') {
             cells.emplace_back();
-        else if (c != ' ' && c != '\t' && c != '\r')
+        } else if (c != ' ' && c != '\t' && c != '\r') {
             cells.back() += c;
+        }
     }
     return cells;
 }
@@ -55,13 +56,14 @@ Columns read_header(const std::string& line, const fs::path& file) {
     Columns columns;
     for (std::size_t i = 0; i < column_names.size(); ++i) {
         const auto found = std::find(names.begin(), names.end(), column_names[i]);
-        if (found != names.end())
+        if (found != names.end()) {
             columns[i] = static_cast<std::size_t>(found - names.begin());
-        else if (i > 0)
+        } else if (i > 0) {
             refuse(file, 1,
                    "the first line must name the columns x_m, y_m, yaw_rad, and time_s where "
                    "the path has times; " +
                        std::string(column_names[i]) + " is missing");
+        }
     }
     return columns;
 }
@@ -94,9 +96,10 @@ TimedPath::TimedPath(std::vector<PathPoint> points) : points_(std::move(points))
         const auto& [time_s, pose] = points_[i];
         if (!std::isfinite(time_s + pose.x_m + pose.y_m + pose.yaw_rad))
             throw PathError("point " + std::to_string(i + 1) + " of a path is not a number");
-        if (i > 0 && time_s <= points_[i - 1].time_s)
+        if (i > 0 && time_s <= points_[i - 1].time_s) {
             throw PathError("the time of point " + std::to_string(i + 1) +
                             " of a path is not later than the one before");
+        }
     }
 }
 

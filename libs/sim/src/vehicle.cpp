@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace flownav::sim {
 namespace {
@@ -32,8 +33,8 @@ Pose2 moved(const Pose2& from, const MotionCommand& motion, double duration_s) {
 
 }  // namespace
 
-Vehicle::Vehicle(const RobotModel& robot, const Pose2& start)
-    : robot_(robot), step_pose_(start), pose_(start) {}
+Vehicle::Vehicle(RobotModel robot, const Pose2& start)
+    : robot_(std::move(robot)), step_pose_(start), pose_(start) {}
 
 void Vehicle::command(double time_s, const MotionCommand& command) {
     if (!std::isfinite(command.v_mps) || !std::isfinite(command.omega_radps))

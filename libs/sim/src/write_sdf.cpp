@@ -12,16 +12,17 @@ using Eigen::Isometry3d;
 std::string escaped(const std::string& text) {
     std::string out;
     for (const char c : text) {
-        if (c == '&')
+        if (c == '&') {
             out += "&amp;";
-        else if (c == '<')
+        } else if (c == '<') {
             out += "&lt;";
-        else if (c == '>')
+        } else if (c == '>') {
             out += "&gt;";
-        else if (c == '"')
+        } else if (c == '"') {
             out += "&quot;";
-        else
+        } else {
             out += c;
+        }
     }
     return out;
 }

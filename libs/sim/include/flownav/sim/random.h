@@ -19,7 +19,7 @@ class Random {
 
     /// From low to high, both included.
     int integer(int low, int high) {
-        const auto count = static_cast<std::uint64_t>(high - low + 1);
+        const auto count = static_cast<std::uint64_t>(high - low) + 1U;
         return low + static_cast<int>(engine_() % count);
     }
 

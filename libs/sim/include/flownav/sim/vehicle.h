@@ -15,7 +15,7 @@ namespace flownav::sim {
 /// called.
 class Vehicle {
   public:
-    Vehicle(const RobotModel& robot, const Pose2& start);
+    Vehicle(RobotModel robot, const Pose2& start);
 
     /// Gives a command at `time_s`, not before the time reached. Clipped to the speeds of the model. Throws
     /// std::invalid_argument when it is not a number.
