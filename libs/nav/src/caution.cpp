@@ -14,6 +14,7 @@ using Eigen::Vector2d;
 
 constexpr double least_way_m = 0.02;
 constexpr double look_m = 3.0;
+constexpr double unseen_depth_m = 0.05;  // of the smallest patch of unseen ground that counts
 
 FreeWayParams free_way_of(const LaneParams& params) {
     FreeWayParams free_way;
@@ -64,7 +65,8 @@ Decision Caution::limit(const Situation& situation, const MotionCommand& command
     if (drives) {
         at_most(stoppable_speed_mps(robot_, way.occupied - params_.standoff_m), "slows for an obstacle");
         if (way.unseen < way.occupied)
-            at_most(std::max(params_.unseen_mps, stoppable_speed_mps(robot_, way.unseen - params_.bumper_m)),
+            at_most(std::max(params_.unseen_mps,
+                             stoppable_speed_mps(robot_, way.unseen - params_.bumper_m - unseen_depth_m)),
                     "slows for unseen ground");
         const double share = v_mps / std::abs(command.v_mps);
         decision.command = {share * command.v_mps, share * command.omega_radps};

@@ -23,9 +23,12 @@ class Walk {
           map_(map),
           params_(params),
           kinds_(kinds_of(map, params.limits)),
-          counted_(kinds_.size(), 0) {}
+          counted_(kinds_.size(), 0),
+          margin_m_(params.margin_m) {
+        margin_m_ = std::max(0.0, std::min(margin_m_, nearest_m() - nearer_m));
+    }
 
-    /// Whether the footprint touches an obstacle there; counts the unseen cells it covers.
+    /// Whether the footprint touches an obstacle there; counts the unseen cells it comes to cover.
     bool touches(const Pose2& T_robot_there, bool count_unseen) {
         const Pose2 T_there_robot = inverse(T_robot_there);
         const double cell_m = map_.getResolution();
@@ -39,11 +42,11 @@ class Walk {
                 if (kind == CellKind::Free || kind == CellKind::Weak) continue;
                 const Vector2d middle(map_.idx2x(c), map_.idx2y(r));
                 const double distance_m = field_.distance_m(transform(T_there_robot, middle));
-                if (distance_m >= params_.margin_m) continue;
+                if (distance_m >= margin_m_ && distance_m >= 0.0) continue;
                 if (kind == CellKind::Occupied) {
                     if (comes_nearer(middle, distance_m)) return true;
-                } else if (count_unseen && distance_m < 0.0) {
-                    count(c, r);
+                } else if (distance_m < 0.0) {
+                    count(c, r, count_unseen);
                 }
             }
         }
@@ -72,13 +75,29 @@ class Walk {
         return first_m > -under_m && distance_m < first_m - nearer_m;
     }
 
-    void count(int column, int row) {
-        if (!inside(column, row)) {
-            ++count_;
-        } else if (!counted_[index(column, row)]) {
+    /// Cells met before counting begins never count.
+    void count(int column, int row, bool counts) {
+        if (inside(column, row)) {
+            if (counted_[index(column, row)]) return;
             counted_[index(column, row)] = 1;
-            ++count_;
         }
+        if (counts) ++count_;
+    }
+
+    /// Distance of the footprint to the nearest obstacle now, at most the field's reach.
+    double nearest_m() const {
+        double least_m = field_.reach_m();
+        const int reach = static_cast<int>(std::ceil(field_.radius_m() / map_.getResolution()));
+        const int column = map_.x2idx(0.0);
+        const int row = map_.y2idx(0.0);
+        for (int r = row - reach; r <= row + reach; ++r) {
+            for (int c = column - reach; c <= column + reach; ++c) {
+                if (kind_of(c, r) != CellKind::Occupied) continue;
+                const double distance_m = field_.distance_m({map_.idx2x(c), map_.idx2y(r)});
+                if (distance_m > -under_m) least_m = std::min(least_m, distance_m);
+            }
+        }
+        return least_m;
     }
 
     const FootprintField& field_;
@@ -87,6 +106,7 @@ class Walk {
     std::vector<CellKind> kinds_;
     std::vector<std::uint8_t> counted_;
     int count_ = 0;
+    double margin_m_;  ///< less where something stands nearer already
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ using Eigen::Vector2d;
 using mrpt::nav::CLogFileRecord;
 
 std::filesystem::path free_name(const std::filesystem::path& folder) {
-    for (int number = 1;; ++number) {
+    for (int number = 0;; ++number) {
         std::array<char, 32> name{};
         std::snprintf(name.data(), name.size(), "log_%03d.reactivenavlog", number);
         if (!std::filesystem::exists(folder / name.data())) return folder / name.data();

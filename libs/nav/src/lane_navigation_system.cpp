@@ -51,8 +51,10 @@ void CLaneNavigationSystem::performNavigationStep() {
 
 bool CLaneNavigationSystem::impl_waypoint_is_reachable(const mrpt::math::TPoint2D& waypoint_robot_m) const {
     const Vector2d waypoint_m(waypoint_robot_m.x, waypoint_robot_m.y);
+    LaneParams params = params_;
+    params.horizon_m = waypoint_m.norm();
     return std::any_of(decision_.lanes.begin(), decision_.lanes.end(), [&](const LaneView& lane) {
-        return lane.open && nearness(lane, waypoint_m, params_) > reached;
+        return lane.open && nearness(lane, waypoint_m, params) > reached;
     });
 }
 

@@ -28,6 +28,8 @@ void check(const LaneLayout& layout, const RobotModel& robot) {
     require(layout.headings >= 4, "headings must be 4 or more");
     require(layout.radius_min_m > 0.0, "radius_min_m must be > 0");
     require(layout.margin_m >= 0.0 && layout.side_m > layout.margin_m, "side_m must be > margin_m >= 0");
+    require(layout.tight_margin_m >= 0.0 && layout.tight_margin_m <= layout.margin_m,
+            "tight_margin_m must be in 0..margin_m");
     require(layout.side_m <= 255 * gap_unit_m, "side_m must be <= 1.275");
     require(layout.length_m > 0.0 && layout.length_m < 60.0, "length_m must be in 0..60");
     require(layout.map_size_m / 2 > circumscribed_radius_m(robot.footprint_m) + layout.side_m,
@@ -59,6 +61,16 @@ double length_m(const LaneLayout& layout, double curvature, double reach_m) {
     return std::min({layout.length_m, turn_m, in_map_m});
 }
 
+Lane swept(const FootprintField& field, const CellGrid& grid, Lane lane, double margin_m) {
+    const Pose2 turned{0.0, 0.0, lane.heading_rad};
+    const auto pose_of = [&lane, &turned](double way_m) {
+        return compose(turned, pose_after({1.0, lane.curvature_1pm}, way_m));
+    };
+    const double step_m = std::min(0.025, grid.cell_m / 2);
+    lane.cells = sweep(field, grid, pose_of, {lane.length_m, step_m, margin_m, unit_m});
+    return lane;
+}
+
 }  // namespace
 
 bool CellGrid::fits(const COccupancyGridMap2D& map) const {
@@ -71,32 +83,21 @@ bool CellGrid::fits(const COccupancyGridMap2D& map) const {
 LaneTables make_lane_tables(const RobotModel& robot, const LaneLayout& layout) {
     check(layout, robot);
     LaneTables tables{
-        layout, robot, FootprintField(robot.footprint_m, layout.side_m), cells_of(layout), {}, {}, {}, {}};
+        layout, robot, FootprintField(robot.footprint_m, layout.side_m), cells_of(layout), {}, {}, {},
+        {},     {}};
     const FootprintField& field = tables.field;
-    const double step_m = std::min(0.025, layout.resolution_m / 2);
     for (int i = 0; i < layout.lanes; ++i) {
         Lane lane{curvature_1pm(layout, i), 0.0, 0.0, {}};
         lane.length_m = length_m(layout, lane.curvature_1pm, circumscribed_radius_m(robot.footprint_m));
-        const double kappa = lane.curvature_1pm;
-        lane.cells = sweep(field, tables.grid,
-                           [kappa](double way_m) {
-                               return pose_after({1.0, kappa}, way_m);
-                           },
-                           {lane.length_m, step_m, layout.margin_m, unit_m});
-        tables.lanes.push_back(std::move(lane));
+        tables.lanes.push_back(swept(field, tables.grid, lane, layout.margin_m));
+        tables.tight_lanes.push_back(swept(field, tables.grid, lane, layout.tight_margin_m));
     }
     for (int i = 0; i < layout.headings; ++i) {
         Lane lane{0.0, -M_PI + 2.0 * M_PI * i / layout.headings, 0.0, {}};
         lane.length_m = length_m(layout, 0.0, circumscribed_radius_m(robot.footprint_m));
-        const double yaw = lane.heading_rad;
-        lane.cells = sweep(field, tables.grid,
-                           [yaw](double way_m) {
-                               return Pose2{way_m * std::cos(yaw), way_m * std::sin(yaw), yaw};
-                           },
-                           {lane.length_m, step_m, layout.margin_m, unit_m});
-        tables.headings.push_back(std::move(lane));
+        tables.headings.push_back(swept(field, tables.grid, lane, layout.margin_m));
     }
-    const SweepParams turn{M_PI, 0.04, layout.margin_m, unit_rad};
+    const SweepParams turn{M_PI, 0.04, layout.tight_margin_m, unit_rad};
     tables.turn_left = sweep(
         field, tables.grid,
         [](double way) {

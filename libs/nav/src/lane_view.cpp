@@ -11,10 +11,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double unit_m = 0.001;        // of LaneCell::way
-constexpr double moving_mps = 0.05;     // slower has no curvature worth keeping
-constexpr double weak_share = 0.03;     // of the lane's worth that a cell costs that may be an obstacle
-constexpr double heading_weight = 0.4;  // of pointing away from the way point at the end of a lane
+constexpr double unit_m = 0.001;     // of LaneCell::way
+constexpr double moving_mps = 0.05;  // slower has no curvature worth keeping
+constexpr double turning_radps = 0.1;
+constexpr double weak_share = 0.03;  // of the lane's worth that a cell costs that may be an obstacle
+constexpr double away_m = 0.8;       // way that pointing straight away from the way point is as bad as
 
 /// Pose at the end of `way_m` of a lane.
 Pose2 end_of(const LaneView& lane, double way_m) {
@@ -78,12 +79,12 @@ LaneView look_along(const LaneTables& tables, const Lane& lane, const std::vecto
 
 double nearness(const LaneView& view, const Vector2d& waypoint_m, const LaneParams& params) {
     const double distance_m = std::max(0.05, waypoint_m.norm());
-    const double usable_m = std::max(0.0, view.free_m - params.standoff_m);
+    const double usable_m = std::clamp(view.free_m - params.standoff_m, 0.0, params.horizon_m);
     const double way_m = nearest_way_m(view, waypoint_m, usable_m);
     const Vector2d left = transform(inverse(end_of(view, way_m)), waypoint_m);
     const double away = left.norm() > 0.1 ? (1.0 - std::cos(bearing_rad(left))) / 2 : 0.0;
-    const double rest_m = left.norm() * (1.0 + heading_weight * away);
-    return std::clamp(1.0 - rest_m / distance_m, -1.0, 1.0);
+    const double rest_m = left.norm() + params.away_m * away;
+    return (distance_m - rest_m) / std::min(distance_m, params.horizon_m);
 }
 
 double free_turn_rad(const std::vector<LaneCell>& turn, const std::vector<CellKind>& kinds) {
@@ -95,8 +96,9 @@ double free_turn_rad(const std::vector<LaneCell>& turn, const std::vector<CellKi
 double score(const LaneTables& tables, const LaneView& view, const MotionCommand& motion,
              const LaneParams& params) {
     const double free = std::min(1.0, view.free_m / params.free_enough_m);
+    const double tight = 1.0 - view.gap_m / tables.layout.side_m;  // the first centimetres count most
     double worth = params.weight_near * view.near + params.weight_free * free +
-                   params.weight_gap * view.gap_m / tables.layout.side_m + params.weight_seen * view.seen +
+                   params.weight_gap * (1.0 - tight * tight) + params.weight_seen * view.seen +
                    params.weight_sure * view.sure;
     const bool moves = motion.v_mps > moving_mps;
     if (moves && view.heading_rad == 0.0) {
@@ -104,8 +106,12 @@ double score(const LaneTables& tables, const LaneView& view, const MotionCommand
         const double kappa = std::clamp(motion.omega_radps / motion.v_mps, -kappa_max, kappa_max);
         worth += params.weight_same * (1.0 - std::abs(view.curvature_1pm - kappa) / (2.0 * kappa_max));
     }
-    worth -= params.weight_turn * std::abs(view.heading_rad) / M_PI;
-    return worth;
+    if (view.heading_rad == 0.0) return worth;
+    // Stopping to turn takes time, also for a small turn; whoever turns already has done it.
+    const bool turning =
+        !moves && motion.omega_radps * view.heading_rad > 0.0 && std::abs(motion.omega_radps) > turning_radps;
+    const double share = std::abs(view.heading_rad) / M_PI;
+    return worth - params.weight_turn * (turning ? share : 0.3 + 0.7 * share);
 }
 
 }  // namespace flownav::nav

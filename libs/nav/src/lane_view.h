@@ -8,8 +8,7 @@ namespace flownav::nav {
 LaneView look_along(const LaneTables& tables, const Lane& lane, const std::vector<CellKind>& kinds,
                     const LaneParams& params);
 
-/// How far a lane of that free way may be driven, and how near that leads to the way point: 1 reaches it, 0
-/// gains nothing.
+/// What driving along a lane within the horizon gains: 1 as much as can be, 0 nothing, < 0 leads away.
 double nearness(const LaneView& view, const Eigen::Vector2d& waypoint_m, const LaneParams& params);
 
 /// How far the robot can turn on the spot, in radians.

@@ -17,7 +17,19 @@ namespace {
 using Eigen::Vector2d;
 using mrpt::maps::COccupancyGridMap2D;
 
-constexpr double least_way_m = 0.05;  // shorter is no way
+constexpr double least_turn_rad = 0.25;         // on the spot; less is done while driving
+constexpr double least_near_after_turn = -0.3;  // going round something may lead away at first
+constexpr double stands_mps = 0.1;              // fast enough to turn on the spot
+constexpr double squeeze_mps = 0.15;
+constexpr double unseen_depth_m = 0.05;  // of the smallest patch of unseen ground that counts
+constexpr double least_way_m = 0.05;     // shorter is no way
+
+/// How far before an obstacle a robot must stand to be able to turn away from it on the spot.
+double room_to_turn_m(const Polygon& footprint_m) {
+    double front_m = 0.0;
+    for (const Vector2d& corner : footprint_m) front_m = std::max(front_m, corner.x());
+    return circumscribed_radius_m(footprint_m) - front_m;
+}
 
 class Choice {
   public:
@@ -29,6 +41,7 @@ class Choice {
           params_(params),
           kinds_(kinds_of(map, params.limits)) {
         obstacles_m_ = obstacles_near(map, kinds_, reach_m(tables.robot, tables.field, params));
+        params_.standoff_m = std::max(params.standoff_m, room_to_turn_m(tables.robot.footprint_m));
         free_left_rad_ = free_turn_rad(tables.turn_left, kinds_);
         free_right_rad_ = free_turn_rad(tables.turn_right, kinds_);
     }
@@ -41,8 +54,8 @@ class Choice {
             if (turn_to(bearing - std::copysign(2.0 * M_PI, bearing), "turns the other way"))
                 return decision_;
         }
-        if (drive_a_lane()) return decision_;
-        if (turn_to_a_heading()) return decision_;
+        for (const Lane& lane : tables_.headings) decision_.headings.push_back(view_of(lane));
+        if (take_the_best() || squeeze()) return decision_;
         decision_.stuck = true;
         decision_.why = "no lane is open";
         return decision_;
@@ -65,34 +78,71 @@ class Choice {
         // Half a turn is all that the tables know; the rest follows when it is done.
         const double first_rad = std::clamp(angle_rad, -M_PI + 1e-6, M_PI - 1e-6);
         if (!may_turn(first_rad)) return false;
-        decision_.command = turn_by(tables_.robot, angle_rad);
-        decision_.why = why;
+        const bool stands = std::abs(motion_.v_mps) < stands_mps;
+        decision_.command = stands ? turn_by(tables_.robot, angle_rad) : MotionCommand{};
+        decision_.why = stands ? why : "stops to turn";
         return true;
     }
 
-    /// The best open lane from which the robot could still stop.
-    bool drive_a_lane() {
-        std::vector<int> order(decision_.lanes.size());
+    /// The best open lane, or heading to turn to, from which the robot could still stop.
+    bool take_the_best() {
+        const auto arcs = static_cast<int>(decision_.lanes.size());
+        const auto view = [this, arcs](int i) -> const LaneView& {
+            return i < arcs ? decision_.lanes[i] : decision_.headings[i - arcs];
+        };
+        std::vector<int> order(arcs + decision_.headings.size());
         std::iota(order.begin(), order.end(), 0);
-        std::stable_sort(order.begin(), order.end(), [this](int a, int b) {
-            return decision_.lanes[a].score > decision_.lanes[b].score;
-        });
+        std::stable_sort(order.begin(), order.end(),
+                         [&view](int a, int b) { return view(a).score > view(b).score; });
         for (const double share : {1.0, 0.5, 0.2}) {
-            for (const int i : order) {
-                const LaneView& view = decision_.lanes[i];
-                if (!view.open || view.near <= 0.0) continue;
-                const double v_mps = share * speed_mps(view);
-                const MotionCommand command{v_mps, v_mps * view.curvature_1pm};
-                if (!can_still_stop(tables_.robot, tables_.field, obstacles_m_, motion_, command, params_))
-                    continue;
-                decision_.command = command;
-                decision_.lane = i;
-                decision_.way = {view.free_m, view.unseen_m};
-                if (share < 1.0) decision_.why += ", slow enough to stop";
-                return true;
-            }
+            for (const int i : order)
+                if (i < arcs ? take_lane(i, share) : take_heading(i - arcs)) return true;
         }
         return false;
+    }
+
+    bool take_lane(int i, double speed_share) {
+        const LaneView& view = decision_.lanes[i];
+        if (!view.open || view.near <= 0.0 || !drive(view, speed_share * speed_mps(view))) return false;
+        decision_.lane = i;
+        if (speed_share < 1.0) decision_.why += ", slow enough to stop";
+        return true;
+    }
+
+    bool drive(const LaneView& view, double v_mps) {
+        const MotionCommand command{v_mps, v_mps * view.curvature_1pm};
+        if (!can_still_stop(tables_.robot, tables_.field, obstacles_m_, motion_, command, params_))
+            return false;
+        decision_.command = command;
+        decision_.way = {view.free_m, view.unseen_m};
+        return true;
+    }
+
+    bool take_heading(int i) {
+        const LaneView& view = decision_.headings[i];
+        if (!view.open || view.near < least_near_after_turn || std::abs(view.heading_rad) < least_turn_rad ||
+            !turn_to(view.heading_rad, "turns to an open lane"))
+            return false;
+        decision_.heading = i;
+        decision_.way = {view.free_m, view.unseen_m};
+        return true;
+    }
+
+    /// Everything is too near: slowly along the best lane that the bare footprint finds.
+    bool squeeze() {
+        const double slow_mps = std::min(squeeze_mps, tables_.robot.v_max_mps);
+        const Lane* best = nullptr;
+        LaneView best_view;
+        for (const Lane& lane : tables_.tight_lanes) {
+            const LaneView view = view_of(lane);
+            if (!view.open || view.near <= 0.0 || (best && view.score <= best_view.score)) continue;
+            best = &lane;
+            best_view = view;
+        }
+        if (!best || !drive(best_view, std::min(slow_mps, speed_mps(best_view)))) return false;
+        decision_.lane = static_cast<int>(best - tables_.tight_lanes.data());
+        decision_.why = "squeezes through";
+        return true;
     }
 
     double speed_mps(const LaneView& view) {
@@ -102,7 +152,7 @@ class Choice {
             const char* why;
         };
         const double gap = std::clamp(view.gap_m / tables_.layout.side_m, 0.0, 1.0);
-        const double unseen_m = view.unseen_m - params_.bumper_m;
+        const double unseen_m = view.unseen_m - params_.bumper_m - unseen_depth_m;
         const std::array<Limit, 6> limits = {{
             {robot.v_max_mps, "drives"},
             {robot.omega_max_radps / std::max(1e-6, std::abs(view.curvature_1pm)), "turns hard"},
@@ -120,26 +170,10 @@ class Choice {
         return least.v_mps;
     }
 
-    /// No arc is open: the best straight lane after turning on the spot.
-    bool turn_to_a_heading() {
-        for (const Lane& lane : tables_.headings) decision_.headings.push_back(view_of(lane));
-        int best = -1;
-        for (int i = 0; i < static_cast<int>(decision_.headings.size()); ++i) {
-            LaneView& view = decision_.headings[i];
-            view.open = view.open && std::abs(view.heading_rad) > 0.05 && may_turn(view.heading_rad);
-            if (!view.open || view.near <= 0.0) continue;
-            if (best < 0 || view.score > decision_.headings[best].score) best = i;
-        }
-        if (best < 0 || !turn_to(decision_.headings[best].heading_rad, "turns to an open lane")) return false;
-        decision_.heading = best;
-        decision_.way = {decision_.headings[best].free_m, decision_.headings[best].unseen_m};
-        return true;
-    }
-
     const LaneTables& tables_;
     const Vector2d waypoint_m_;
     const MotionCommand motion_;
-    const LaneParams& params_;
+    LaneParams params_;
     std::vector<CellKind> kinds_;
     std::vector<Vector2d> obstacles_m_;
     double free_left_rad_ = 0.0;

@@ -13,7 +13,7 @@ using Eigen::Vector2d;
 
 constexpr double degrees = 180.0 / M_PI;
 constexpr double table_cell_m = 0.03;  // coarser ones close passages of a robot's width
-constexpr int paths = 121;
+constexpr int paths = 81;
 
 Vector2d outward(const Vector2d& from, const Vector2d& to) {
     const Vector2d along = (to - from).normalized();
@@ -127,8 +127,6 @@ std::string reactive_config(const NavigatorOptions& options) {
         << "use_delays_model = false\n"
         << "enable_obstacle_filtering = false\n"
         << "evaluate_clearance = false\n"
-        << "ptg_cache_files_directory = "
-        << (options.ptg_cache_dir.empty() ? "/dev/null" : options.ptg_cache_dir) << '\n'
         << "\n[CReactiveNavigationSystem]\n"
         << "min_obstacles_height = 0\nmax_obstacles_height = " << robot.height_m << '\n'
         << "PTG_COUNT = 2\n";

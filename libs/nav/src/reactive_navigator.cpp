@@ -14,6 +14,8 @@ namespace {
 
 using Eigen::Vector2d;
 
+constexpr double standing = 0.02;  // m/s or rad/s: so little is no command to go
+
 /// CReactiveNavigationSystem that does not write statistics to the console at its end.
 class ReactiveSystem : public mrpt::nav::CReactiveNavigationSystem {
   public:
@@ -22,6 +24,9 @@ class ReactiveSystem : public mrpt::nav::CReactiveNavigationSystem {
         set_verbosity(*this, options.verbose);
         const mrpt::config::CConfigFileMemory config(reactive_config(options));
         loadConfigFile(config);
+        // Not read from the ini. A folder that cannot be written to keeps nothing.
+        params_abstract_ptg_navigator.ptg_cache_files_directory =
+            options.ptg_cache_dir.empty() ? "/dev/null" : options.ptg_cache_dir;
         initialize();
         if (!options.navlog_dir.empty()) enableLogFile(true);
     }
@@ -47,8 +52,10 @@ class ReactiveNavigator : public Navigator {
         const Vector2d near = there * std::min(1.0, 0.9 * reactive_range_m / std::max(1e-6, there.norm()));
         step(system_, robot_, situation, transform(situation.T_map_robot, near));
         if (!situation.obstacles_known) return {{}, 0.0, false, "obstacles are not known"};
-        if (robot_.emergency_stop()) return {{}, 0.0, true, "no path is free"};
-        return caution_.limit(situation, robot_.command());
+        const MotionCommand wanted = robot_.command();
+        const bool stands = std::hypot(wanted.v_mps, wanted.omega_radps) < standing;
+        if (robot_.emergency_stop() || stands) return {{}, 0.0, true, "no path is free"};
+        return caution_.limit(situation, wanted);
     }
 
   private:

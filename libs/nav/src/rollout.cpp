@@ -37,6 +37,16 @@ bool touches(const FootprintField& field, const std::vector<Vector2d>& obstacles
     });
 }
 
+/// The margin, or less where something stands nearer already.
+double margin_here_m(const FootprintField& field, const std::vector<Vector2d>& obstacles_m, double margin_m) {
+    double least_m = margin_m;
+    for (const Vector2d& p : obstacles_m) {
+        const double distance_m = field.distance_m(p);
+        if (distance_m > -under_m) least_m = std::min(least_m, distance_m - nearer_m);
+    }
+    return std::max(0.0, least_m);
+}
+
 }  // namespace
 
 std::vector<Vector2d> obstacles_near(const mrpt::maps::COccupancyGridMap2D& map,
@@ -58,6 +68,7 @@ double reach_m(const RobotModel& robot, const FootprintField& field, const LaneP
 bool can_still_stop(const RobotModel& robot, const FootprintField& field,
                     const std::vector<Vector2d>& obstacles_m, const MotionCommand& motion,
                     const MotionCommand& command, const LaneParams& params) {
+    const double margin_m = margin_here_m(field, obstacles_m, params.stop_margin_m);
     MotionCommand now = motion;
     Pose2 pose;
     const double told_s = robot.delay_s;
@@ -66,7 +77,7 @@ bool can_still_stop(const RobotModel& robot, const FootprintField& field,
         if (t >= told_s) now = after_step(robot, now, t < stop_s ? command : MotionCommand{});
         if (t >= stop_s && now.v_mps == 0.0 && now.omega_radps == 0.0) break;
         pose = compose(pose, pose_after(now, step_s));
-        if (touches(field, obstacles_m, pose, params.stop_margin_m)) return false;
+        if (touches(field, obstacles_m, pose, margin_m)) return false;
     }
     return true;
 }

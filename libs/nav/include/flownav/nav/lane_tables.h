@@ -13,14 +13,15 @@ namespace flownav::nav {
 
 /// Which lanes there are, and how near to their sides an obstacle is noticed.
 struct LaneLayout {
-    double map_size_m = 10.0;   ///< edge of the local map, robot in the middle
-    double resolution_m = 0.1;  ///< edge of a cell
-    int lanes = 41;             ///< from hard right to hard left, odd: the middle one is straight
-    double radius_min_m = 0.3;  ///< of the hardest turn
-    double length_m = 4.0;      ///< of a lane
-    double margin_m = 0.05;     ///< from footprint to the MIDDLE of a cell: nearer is touching it
-    double side_m = 0.35;       ///< obstacles this near to the footprint count as beside the lane
-    int headings = 48;          ///< straight lanes after turning on the spot
+    double map_size_m = 10.0;      ///< edge of the local map, robot in the middle
+    double resolution_m = 0.1;     ///< edge of a cell
+    int lanes = 41;                ///< from hard right to hard left, odd: the middle one is straight
+    double radius_min_m = 0.3;     ///< of the hardest turn
+    double length_m = 4.0;         ///< of a lane
+    double margin_m = 0.05;        ///< from footprint to the MIDDLE of a cell: nearer is touching it
+    double tight_margin_m = 0.03;  ///< the same when turning on the spot, or where there is no other way
+    double side_m = 0.35;          ///< obstacles this near to the footprint count as beside the lane
+    int headings = 48;             ///< straight lanes after turning on the spot
 };
 
 /// The cells of a square map in the robot's frame, row by row, x fastest.
@@ -59,6 +60,7 @@ struct LaneTables {
     FootprintField field;
     CellGrid grid;
     std::vector<Lane> lanes;                      ///< ordered by curvature, from right to left
+    std::vector<Lane> tight_lanes;                ///< the same with the tight margin
     std::vector<Lane> headings;                   ///< ordered by heading, from -pi
     std::vector<LaneCell> turn_left, turn_right;  ///< half a turn on the spot
 };

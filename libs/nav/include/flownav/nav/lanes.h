@@ -17,14 +17,15 @@ struct LaneParams {
     CellLimits limits;
     // Worth of a lane, each between 0 and 1 before weighting.
     double weight_near = 1.0;    ///< how near it leads to the way point
-    double weight_free = 0.5;    ///< how far it is free
-    double weight_gap = 0.35;    ///< how far obstacles stand from its sides
+    double weight_free = 0.8;    ///< how far it is free
+    double weight_gap = 0.6;     ///< how far obstacles stand from its sides
     double weight_same = 0.1;    ///< how little the turn differs from the present one
     double weight_seen = 0.3;    ///< how much of its ground has been seen
     double weight_sure = 0.5;    ///< how little of it may be an obstacle
     double weight_turn = 0.5;    ///< how little must be turned on the spot
+    double away_m = 0.3;         ///< way that is as bad as facing away from the way point at the end
     double horizon_m = 1.5;      ///< gaps and ground farther away do not count
-    double free_enough_m = 2.0;  ///< more free way is not better
+    double free_enough_m = 3.0;  ///< more free way is not better
 
     double standoff_m = 0.08;      ///< the robot stands this far before what it may not touch
     double bumper_m = 0.4;         ///< unknown ground within this way does not limit the speed
@@ -47,7 +48,7 @@ struct LaneView {
     double gap_m = 0.0;        ///< to the nearest obstacle at the sides, at most the layout's side_m
     double seen = 1.0;         ///< share of the ground within the horizon
     double sure = 1.0;         ///< 1: nothing on it may be an obstacle
-    double near = 0.0;         ///< closeness to the way point: 0 none gained, 1 reached
+    double near = 0.0;         ///< gain toward the way point within the horizon: 1 all of it, < 0 leads away
     double score = 0.0;
     bool open = false;  ///< there is some way to go
 };

@@ -1,0 +1,111 @@
+#include "flownav/nav/free_way.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "course.h"
+
+namespace flownav::nav {
+namespace {
+
+using mrpt::maps::COccupancyGridMap2D;
+
+const FootprintField& field() {
+    static const FootprintField made(RobotModel().footprint_m, 0.1);
+    return made;
+}
+
+void fill(COccupancyGridMap2D& map, double x_low_m, double x_high_m, double y_low_m, double y_high_m,
+          float p_free) {
+    for (int y = map.y2idx(y_low_m); y <= map.y2idx(y_high_m); ++y)
+        for (int x = map.x2idx(x_low_m); x <= map.x2idx(x_high_m); ++x) map.setCell(x, y, p_free);
+}
+
+COccupancyGridMap2D free_map() {
+    return Course().local_map({});
+}
+
+FreeWay way(const COccupancyGridMap2D& map, const MotionCommand& command) {
+    return free_way(field(), map, command, FreeWayParams());
+}
+
+TEST(FreeWay, AcrossFreeGroundItIsAsLongAsOneLooks) {
+    EXPECT_EQ(way(free_map(), {0.4, 0.0}).occupied, FreeWayParams().length_m);
+    EXPECT_EQ(way(free_map(), {0.4, 0.2}).unseen, FreeWayParams().length_m);
+    EXPECT_EQ(way(free_map(), {0.0, 0.5}).occupied, M_PI);
+}
+
+TEST(FreeWay, AWallAheadEndsItAtTheBumper) {
+    COccupancyGridMap2D map = free_map();
+    fill(map, 2.01, 2.2, -2.0, 2.0, 0.1F);
+    // The middle of the first cell is at 2.025 m.
+    EXPECT_NEAR(way(map, {0.4, 0.0}).occupied, 2.025 - 0.25 - 0.03, 0.03);
+    EXPECT_EQ(way(map, {-0.1, 0.0}).occupied, FreeWayParams().length_m);
+}
+
+TEST(FreeWay, AWallBehindEndsTheWayBack) {
+    COccupancyGridMap2D map = free_map();
+    fill(map, -1.2, -1.01, -2.0, 2.0, 0.1F);
+    EXPECT_NEAR(way(map, {-0.1, 0.0}).occupied, 1.025 - 0.25 - 0.03, 0.03);
+    EXPECT_EQ(way(map, {0.4, 0.0}).occupied, FreeWayParams().length_m);
+}
+
+TEST(FreeWay, AnArcToTheLeftMeetsWhatStandsLeft) {
+    COccupancyGridMap2D map = free_map();
+    fill(map, 0.9, 1.1, 0.9, 1.1, 0.1F);
+    EXPECT_LT(way(map, {0.5, 0.5}).occupied, 1.6);  // circle of 1 m about (0, 1)
+    EXPECT_GT(way(map, {0.5, 0.5}).occupied, 1.0);
+    EXPECT_EQ(way(map, {0.5, -0.5}).occupied, FreeWayParams().length_m);
+    EXPECT_EQ(way(map, {0.5, 0.0}).occupied, FreeWayParams().length_m);
+}
+
+TEST(FreeWay, TurningOnTheSpotEndsWhereACornerTouches) {
+    COccupancyGridMap2D map = free_map();
+    fill(map, 0.26, 0.29, 0.01, 0.04, 0.1F);  // right before the bumper: no corner reaches farther
+    const FreeWay left = way(map, {0.0, 0.5});
+    const FreeWay right = way(map, {0.0, -0.5});
+    EXPECT_GT(left.occupied, 0.1);
+    EXPECT_LT(left.occupied, 1.0);
+    EXPECT_GT(right.occupied, 0.1);
+    EXPECT_LT(right.occupied, 1.0);
+}
+
+TEST(FreeWay, UnseenGroundIsFoundBehindTheBlindStrip) {
+    COccupancyGridMap2D map = free_map();
+    fill(map, 0.25, 0.6, -0.3, 0.3, 0.5F);  // right before the bumper: no camera sees it
+    EXPECT_EQ(way(map, {0.4, 0.0}).unseen, FreeWayParams().length_m);
+    fill(map, 1.5, 4.0, -1.0, 1.0, 0.5F);
+    EXPECT_NEAR(way(map, {0.4, 0.0}).unseen, 1.5 - 0.25, 0.12);
+    EXPECT_EQ(way(map, {0.4, 0.0}).occupied, FreeWayParams().length_m);
+    EXPECT_EQ(way(map, {-0.4, 0.0}).unseen, FreeWayParams().length_m);
+}
+
+TEST(FreeWay, AnUnseenSpeckDoesNotCount) {
+    COccupancyGridMap2D map = free_map();
+    fill(map, 1.5, 1.52, 0.0, 0.02, 0.5F);
+    EXPECT_EQ(way(map, {0.4, 0.0}).unseen, FreeWayParams().length_m);
+}
+
+TEST(FreeWay, WhatTheRobotStandsBesideDoesNotHoldIt) {
+    COccupancyGridMap2D map = free_map();
+    fill(map, -1.0, 1.0, 0.21, 0.24, 0.1F);  // a wall along its left side, within the margin
+    EXPECT_EQ(way(map, {0.4, 0.0}).occupied, FreeWayParams().length_m);
+    EXPECT_LT(way(map, {0.4, 0.4}).occupied, 0.3);
+    EXPECT_GT(way(map, {0.4, -0.4}).occupied, 0.05);
+}
+
+TEST(FreeWay, KindsFollowTheLimits) {
+    COccupancyGridMap2D map = free_map();
+    map.setCell(0, 0, 0.1F);
+    map.setCell(1, 0, 0.4F);
+    map.setCell(2, 0, 0.5F);
+    const std::vector<CellKind> kinds = kinds_of(map, CellLimits());
+    EXPECT_EQ(kinds[0], CellKind::Occupied);
+    EXPECT_EQ(kinds[1], CellKind::Weak);
+    EXPECT_EQ(kinds[2], CellKind::Unknown);
+    EXPECT_EQ(kinds[3], CellKind::Free);
+}
+
+}  // namespace
+}  // namespace flownav::nav
