@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "flownav/sim/plan_view.h"
 
@@ -49,24 +50,55 @@ void check(const LidarParams& p) {
     }
 }
 
-/// Writes one solid into the beams that can meet it.
-void see(VirtualScan& scan, const PlanShape& shape, const Vector2d& centre_m, double around_m,
-         const Pose2& T_world_lidar, double range_max_m) {
-    const Vector2d from(T_world_lidar.x_m, T_world_lidar.y_m);
-    const Vector2d to = centre_m - from;
-    const double distance_m = to.norm();
-    if (distance_m - around_m > range_max_m) return;
-    const double half_rad = distance_m > around_m ? std::asin(around_m / distance_m) : M_PI;
-    const double bearing_rad = std::atan2(to.y(), to.x()) - T_world_lidar.yaw_rad;
-    for (std::size_t i = 0; i < scan.beams.size(); ++i) {
-        const double beam_rad = scan.first_bearing_rad + static_cast<double>(i) * scan.step_rad;
-        if (std::abs(wrap_angle(beam_rad - bearing_rad)) > half_rad + 1e-9) continue;
-        const double angle_rad = T_world_lidar.yaw_rad + beam_rad;
-        const Vector2d direction(std::cos(angle_rad), std::sin(angle_rad));
-        const double found_m = std::visit([&](const auto& s) { return range_m(s, from, direction); }, shape);
-        if (found_m <= scan.beams[i].range_m) scan.beams[i] = {BeamKind::Obstacle, found_m};
+/// The beams of one scan, and their directions in the world.
+class Beams {
+  public:
+    Beams(VirtualScan& scan, const Pose2& T_world_lidar, double range_max_m)
+        : scan_(scan),
+          from_(T_world_lidar.x_m, T_world_lidar.y_m),
+          yaw_rad_(T_world_lidar.yaw_rad),
+          range_max_m_(range_max_m) {
+        for (std::size_t i = 0; i < scan.beams.size(); ++i) {
+            const double angle_rad =
+                yaw_rad_ + scan.first_bearing_rad + static_cast<double>(i) * scan.step_rad;
+            directions_.emplace_back(std::cos(angle_rad), std::sin(angle_rad));
+        }
     }
-}
+
+    /// Writes a solid within `around_m` of `centre_m` into the beams that can meet it.
+    void see(const PlanShape& shape, const Vector2d& centre_m, double around_m) {
+        const Vector2d to = centre_m - from_;
+        const double distance_m = to.norm();
+        if (distance_m - around_m > range_max_m_) return;
+        if (distance_m <= around_m) return see(shape, 0, static_cast<int>(directions_.size()) - 1);
+        const double half_rad = std::asin(around_m / distance_m) + 1e-9;
+        const double bearing_rad = wrap_angle(std::atan2(to.y(), to.x()) - yaw_rad_);
+        for (const double turn_rad : {-2.0 * M_PI, 0.0, 2.0 * M_PI}) {
+            const double first =
+                (bearing_rad + turn_rad - half_rad - scan_.first_bearing_rad) / scan_.step_rad;
+            const double last =
+                (bearing_rad + turn_rad + half_rad - scan_.first_bearing_rad) / scan_.step_rad;
+            see(shape, static_cast<int>(std::ceil(first)), static_cast<int>(std::floor(last)));
+        }
+    }
+
+  private:
+    void see(const PlanShape& shape, int first, int last) {
+        last = std::min(last, static_cast<int>(directions_.size()) - 1);
+        for (int i = std::max(first, 0); i <= last; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            const double found_m =
+                std::visit([&](const auto& s) { return range_m(s, from_, directions_[k]); }, shape);
+            if (found_m <= scan_.beams[k].range_m) scan_.beams[k] = {BeamKind::Obstacle, found_m};
+        }
+    }
+
+    VirtualScan& scan_;
+    Vector2d from_;
+    double yaw_rad_;
+    double range_max_m_;
+    std::vector<Vector2d> directions_;
+};
 
 }  // namespace
 
@@ -79,13 +111,13 @@ VirtualScan scan(const World& world, const LidarParams& params, const Pose2& T_w
     scan.step_rad = view_rad / gaps;
     scan.first_bearing_rad = -scan.step_rad * (params.beams - 1) / 2;
     scan.beams.assign(static_cast<std::size_t>(params.beams), {BeamKind::Free, params.range_max_m});
+    Beams beams(scan, T_world_robot, params.range_max_m);
     for (const Solid& solid : world.solids) {
         if (!solid.solid) continue;
         const Eigen::Isometry3d pose = pose_at(solid, time_s);
         const auto shape = plan_view(solid.shape, pose, params.height_m, params.height_m);
         if (!shape) continue;
-        see(scan, *shape, pose.translation().head<2>(), bounding_radius_m(solid.shape), T_world_robot,
-            params.range_max_m);
+        beams.see(*shape, pose.translation().head<2>(), bounding_radius_m(solid.shape));
     }
     return scan;
 }

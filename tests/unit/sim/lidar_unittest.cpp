@@ -102,6 +102,22 @@ TEST(Lidar, AFullTurnHasEveryDirectionOnce) {
                 wrap_angle(seen.first_bearing_rad + 7 * seen.step_rad), 1e-9);
 }
 
+TEST(Lidar, SeesAThingThatLiesAcrossTheBackwardDirection) {
+    LidarParams params;
+    params.field_of_view_deg = 360.0;
+    params.beams = 36;
+    const VirtualScan seen = scan(world_of(Cylinder{1.0, 1.0}, -3.0, 0.0), params, {}, 0.0);
+    // Beams 5 degrees to either side of straight back, and on as far as asin(1/3) = 19.5 degrees.
+    const double range_m =
+        3.0 * std::cos(5 * M_PI / 180) - std::sqrt(1 - std::pow(3.0 * std::sin(5 * M_PI / 180), 2));
+    expect_beam(seen, 0, BeamKind::Obstacle, range_m);
+    expect_beam(seen, 35, BeamKind::Obstacle, range_m);
+    EXPECT_EQ(seen.beams[1].kind, BeamKind::Obstacle);
+    EXPECT_EQ(seen.beams[34].kind, BeamKind::Obstacle);
+    EXPECT_EQ(seen.beams[2].kind, BeamKind::Free);
+    EXPECT_EQ(seen.beams[33].kind, BeamKind::Free);
+}
+
 TEST(Lidar, RefusesParamsWithoutSense) {
     LidarParams params;
     params.beams = 1;
