@@ -37,7 +37,9 @@ void CLaneNavigationSystem::performNavigationStep() {
     }
     const auto& target = m_navigationParams->target.target_coords;
     const Vector2d waypoint_m = transform(inverse(situation.T_map_robot), {target.x, target.y});
-    decision_ = choose_lane(tables_, *situation.local_map, waypoint_m, situation.motion, params_);
+    LaneParams params = params_;
+    if (!situation.stop_at_waypoint) params.arrival_mps = tables_.robot.v_max_mps;
+    decision_ = choose_lane(tables_, *situation.local_map, waypoint_m, situation.motion, params);
     if (log_) log_->write(tables_, situation, waypoint_m, params_.limits, decision_);
     if (decision_.stuck) {
         stop(true);

@@ -108,7 +108,10 @@ void Pilot::aim(const Situation& situation, const mrpt::maps::COccupancyGridMap2
 }
 
 void Pilot::drive(const Situation& situation) {
-    const Decision wanted = navigator_->decide(situation, decision_.waypoint_m);
+    Situation here = situation;
+    here.stop_at_waypoint =
+        !waypoint_robot_m_ && decision_.last_goal && (decision_.waypoint_m - goals_m_.back()).norm() < 0.1;
+    const Decision wanted = navigator_->decide(here, decision_.waypoint_m);
     decision_.command = wanted.command;
     decision_.free_m = wanted.free_m;
     decision_.why = wanted.why;

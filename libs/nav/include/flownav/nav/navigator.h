@@ -18,7 +18,8 @@ struct Situation {
     Pose2 T_map_robot;
     MotionCommand motion;                                        ///< how the robot moves now
     const mrpt::maps::COccupancyGridMap2D* local_map = nullptr;  ///< robot frame, robot in the middle
-    bool obstacles_known = true;  ///< false: the sensor is stale or blind, no step into the unseen
+    bool obstacles_known = true;   ///< false: the sensor is stale or blind, no step into the unseen
+    bool stop_at_waypoint = true;  ///< false: the way point is on the way to others, no need to slow down
 };
 
 /// What a navigator wants the robot to do.
