@@ -16,12 +16,10 @@ double moved_toward(double from, double to, double change) {
     return from + std::clamp(to - from, -change, change);
 }
 
-/// Speed after a step: it is braked to a standstill before it changes its sign.
+/// Speed after a step: braked on the way to a standstill, and through it to the other direction speeded up.
 double next_speed(double from, double to, const RobotModel& robot) {
-    const bool slower = std::abs(to) < std::abs(from) || to * from < 0.0;
-    if (!slower) return moved_toward(from, to, robot.accel_mps2 / steps_per_s);
-    const double nearest = to * from > 0.0 ? to : 0.0;
-    return moved_toward(from, nearest, robot.brake_mps2 / steps_per_s);
+    const bool braking = std::abs(to) < std::abs(from) || to * from < 0.0;
+    return moved_toward(from, to, (braking ? robot.brake_mps2 : robot.accel_mps2) / steps_per_s);
 }
 
 Pose2 moved(const Pose2& from, const MotionCommand& motion, double duration_s) {

@@ -161,6 +161,25 @@ TEST(Clearance, NamesTheNearest) {
     EXPECT_EQ(clearance(world, {}, {}, 0.0).nearest, "nearer");
 }
 
+TEST(Clearance, ToManyThingsIsThatToTheNearestOfThem) {
+    Random random(3);
+    for (int run = 0; run < 50; ++run) {
+        World world;
+        double nearest_m = INFINITY;
+        for (int i = 0; i < 20; ++i) {
+            Isometry3d pose =
+                at(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0), random.uniform(0.0, 1.0));
+            pose.rotate(AngleAxisd(random.uniform(-0.5, 0.5), Vector3d::UnitX()));
+            const double size_m = random.uniform(0.05, 1.5);
+            const Shape shape = i % 2 == 0 ? Shape(Box{{size_m, 0.1, 0.1}}) : Shape(Cylinder{0.1, size_m});
+            const World alone = world_of(shape, pose);
+            nearest_m = std::min(nearest_m, distance(alone, long_robot(), {1.0, 1.0, 0.5}));
+            world.solids.push_back(alone.solids[0]);
+        }
+        EXPECT_EQ(distance(world, long_robot(), {1.0, 1.0, 0.5}), nearest_m) << run;
+    }
+}
+
 /// Distance between two outlines by brute force: points along one, distance to the other.
 double sampled_distance(const Polygon& outline, const Polygon& other) {
     double distance_m = INFINITY;
