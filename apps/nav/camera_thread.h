@@ -1,0 +1,36 @@
+#pragma once
+
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+#include "flownav/producer/live_fields.h"
+#include "robot_drive.h"
+
+namespace flownav {
+
+/// The flow sensor of a live camera: reads fields and works on them in a thread of its own.
+class CameraThread : public SensorFeed {
+  public:
+    /// Opens the camera. Throws InputError: it is not there.
+    explicit CameraThread(const ProducerSettings& settings);
+    ~CameraThread() override;
+
+    std::vector<nav::Sensed> arrived() override;
+    std::string end() override;
+
+  private:
+    void run();
+
+    LiveFields fields_;
+    std::mutex mutex_;
+    std::vector<nav::Sensed> arrived_;
+    std::string end_;
+    std::atomic<bool> stops_{false};
+    std::thread thread_;  ///< last: starts when all else is there
+};
+
+/// What a field's record says, for the autopilot; times less `epoch_s`.
+nav::Sensed sensed_of(const pipeline::Step& step, const CameraModel& camera, double epoch_s = 0.0);
+
+}  // namespace flownav

@@ -1,0 +1,105 @@
+#include "nav_app.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app_runs.h"
+
+namespace flownav {
+namespace {
+
+namespace fs = std::filesystem;
+
+using AppOutcome = testing::Outcome;
+
+AppOutcome run(const std::vector<std::string>& arguments) {
+    return testing::run_app(run_nav_app, "flownav-nav", arguments);
+}
+
+fs::path folder() {
+    return testing::folder_of_test("nav_app");
+}
+
+std::string content(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+/// Arguments that are all right, but for what is added.
+std::vector<std::string> hall(const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"--generate", "hall", "--sensor", "lidar", "--timeout-s", "2"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+TEST(NavApp, TellsAboutItself) {
+    EXPECT_NE(run({"--help"}).out.find("Exit status:"), std::string::npos);
+    EXPECT_EQ(run({"--version"}).out.rfind("flownav-nav ", 0), 0U);
+}
+
+TEST(NavApp, BadUsageNamesTheOptionAndWhatIsAllowed) {
+    const auto error = [](const std::vector<std::string>& arguments) {
+        const AppOutcome result = run(arguments);
+        EXPECT_EQ(result.status, 1);
+        return result.error;
+    };
+    EXPECT_NE(error({}).find("--world or --generate"), std::string::npos);
+    EXPECT_NE(error({"--generate", "castle"}).find("corridor, office, hall, forest"), std::string::npos);
+    EXPECT_NE(error(hall({"--goal", "1;2"})).find("X,Y"), std::string::npos);
+    EXPECT_NE(error(hall({"--fov-deg", "170"})).find("10 .. 140"), std::string::npos);
+    EXPECT_NE(error(hall({"--sensor", "sonar"})).find("sonar"), std::string::npos);
+    EXPECT_NE(error(hall({"--navigator", "sails"})).find("lanes | reactive"), std::string::npos);
+    EXPECT_NE(error({"--robot", "tcp:here:1"}).find("--camera"), std::string::npos);
+    EXPECT_NE(error(hall({"--nonsense"})).find("--help"), std::string::npos);
+}
+
+TEST(NavApp, WhatCannotBeReadIsNamed) {
+    const AppOutcome world = run({"--world", "nowhere.world", "--goal", "1,2"});
+    EXPECT_EQ(world.status, 2);
+    EXPECT_NE(world.error.find("nowhere.world"), std::string::npos);
+    const fs::path list = folder() / "points.txt";
+    std::ofstream(list) << "# x y\n1 2\n3 three\n";
+    const AppOutcome points = run(hall({"--waypoints", list.string()}));
+    EXPECT_EQ(points.status, 2);
+    EXPECT_NE(points.error.find("line 3"), std::string::npos);
+}
+
+TEST(NavApp, TheTimeBeingOverIsAStatusOfItsOwnAndEverythingIsWritten) {
+    const fs::path out = folder();
+    const AppOutcome result = run(hall({"--output", out.string()}));
+    EXPECT_EQ(result.status, 6) << result.error;
+    EXPECT_EQ(result.out.rfind("timeout", 0), 0U);
+    const auto json = nlohmann::json::parse(content(out / "result.json"));
+    EXPECT_EQ(json["outcome"], "timeout");
+    EXPECT_NEAR(json["time_s"], 2.0, 0.05);
+    EXPECT_GT(fs::file_size(out / "drive.png"), 1000U);
+    EXPECT_EQ(content(out / "drive.csv").rfind("time_s,true_x_m", 0), 0U);
+}
+
+TEST(NavApp, AnOutputThatCannotBeWrittenIsNamed) {
+    const fs::path file = folder() / "file";
+    std::ofstream(file) << "no folder";
+    const AppOutcome result = run(hall({"--output", (file / "below").string()}));
+    EXPECT_EQ(result.status, 3);
+    EXPECT_NE(result.error.find(file.string()), std::string::npos);
+}
+
+TEST(NavApp, ADriveThatSeesIsRecordedAndReplayedIntoItsReport) {
+    const fs::path out = folder();
+    const AppOutcome result = run({"--generate", "corridor", "--width", "320", "--height", "240",
+                                   "--timeout-s", "3", "--output", out.string()});
+    EXPECT_EQ(result.status, 6) << result.error << result.out;
+    for (const char* name : {"run.rawlog", "report.html", "map.pgm", "trajectory.tum", "drive.csv"})
+        EXPECT_GT(fs::file_size(out / name), 100U) << name;
+    const auto summary = nlohmann::json::parse(content(out / "summary.json"));
+    EXPECT_LT(std::abs(summary["errors"]["ground_truth"]["v_bias_percent"].get<double>()), 3.0);
+}
+
+}  // namespace
+}  // namespace flownav

@@ -1,0 +1,114 @@
+#include "simulated_drive.h"
+
+#include <gtest/gtest.h>
+
+#include "drive_files.h"
+
+namespace flownav {
+namespace {
+
+using Eigen::Vector2d;
+
+sim::Solid post(double x_m, double y_m) {
+    sim::Solid solid;
+    solid.name = "post";
+    solid.shape = sim::Cylinder{0.1, 1.0};
+    solid.T_world_solid.translation() << x_m, y_m, 0.5;
+    return solid;
+}
+
+/// Three metres straight ahead, round a post; the lidar sees.
+SimulatedDriveOptions round_a_post() {
+    SimulatedDriveOptions options;
+    options.world.solids = {post(1.6, 0.05)};
+    options.goals_m = {{3.0, 0.0}};
+    options.sensor = SensorKind::Lidar;
+    options.config.map.resolution_m = 0.05;
+    options.config.map.size_m = 8.0;
+    options.timeout_s = 60.0;
+    return options;
+}
+
+DriveResult drive(const SimulatedDriveOptions& options) {
+    DriveObserver nobody;
+    return simulate_drive(options, nobody);
+}
+
+TEST(SimulatedDrive, RoundsAPostWithEitherNavigator) {
+    for (const NavigatorKind kind : {NavigatorKind::Lanes, NavigatorKind::Reactive}) {
+        SimulatedDriveOptions options = round_a_post();
+        options.config.navigation.navigator = kind;
+        const DriveResult result = drive(options);
+        EXPECT_EQ(result.outcome, Outcome::Reached) << result.why;
+        EXPECT_GT(result.min_clearance_m, 0.03);
+        EXPECT_GT(result.path_m, 2.4);
+        EXPECT_LT(result.path_m, 4.0);
+    }
+}
+
+TEST(SimulatedDrive, TheSameOptionsGiveTheSameDrive) {
+    const SimulatedDriveOptions options = round_a_post();
+    const DriveResult a = drive(options);
+    const DriveResult b = drive(options);
+    ASSERT_EQ(a.samples.size(), b.samples.size());
+    for (std::size_t i = 0; i < a.samples.size(); ++i) {
+        EXPECT_EQ(a.samples[i].T_world_robot.x_m, b.samples[i].T_world_robot.x_m);
+        EXPECT_EQ(a.samples[i].command.omega_radps, b.samples[i].command.omega_radps);
+    }
+}
+
+TEST(SimulatedDrive, AWallAllRoundIsNeverTouched) {
+    SimulatedDriveOptions options = round_a_post();
+    for (int i = 0; i < 40; ++i) {
+        const double angle = i * 2.0 * M_PI / 40;
+        options.world.solids.push_back(post(1.5 * std::cos(angle), 1.5 * std::sin(angle)));
+    }
+    options.timeout_s = 40.0;
+    const DriveResult result = drive(options);
+    EXPECT_TRUE(result.outcome == Outcome::Blocked || result.outcome == Outcome::Timeout);
+    EXPECT_GT(result.min_clearance_m, 0.0);
+}
+
+TEST(SimulatedDrive, WhatFallsOnTheRobotIsACollision) {
+    SimulatedDriveOptions options = round_a_post();
+    sim::Solid mover = post(0.0, 0.0);
+    mover.name = "cart";
+    sim::TimedPose from{0.0, mover.T_world_solid};
+    sim::TimedPose to{4.0, mover.T_world_solid};
+    from.T_world_solid.translation() << 0.0, 4.0, 0.5;
+    to.T_world_solid.translation() << 0.3, 0.0, 0.5;
+    mover.script = {from, to};
+    options.world.solids.push_back(mover);
+    options.goals_m = {{0.0, -20.0}};
+    options.faults.navigator_hangs = [](double) { return true; };  // it cannot get out of the way
+    const DriveResult result = drive(options);
+    EXPECT_EQ(result.outcome, Outcome::Collision);
+    EXPECT_EQ(result.why, "touched cart");
+    EXPECT_EQ(result.contact_speed_mps, 0.0);
+}
+
+TEST(SimulatedDrive, ANavigatorThatHangsStopsTheRobotAndDrivesOnAfterwards) {
+    SimulatedDriveOptions options = round_a_post();
+    options.faults.navigator_hangs = [](double time_s) { return time_s > 3.0 && time_s < 6.0; };
+    const DriveResult result = drive(options);
+    EXPECT_EQ(result.outcome, Outcome::Reached);
+    const auto silent = [](const nav::GuardEvent& e) {
+        return e.reason == nav::GuardReason::NavigatorSilent;
+    };
+    EXPECT_TRUE(std::any_of(result.stops.begin(), result.stops.end(), silent));
+}
+
+TEST(SimulatedDrive, TheScoreIsThatOfTheBenchmark) {
+    DriveResult result;
+    result.outcome = Outcome::Reached;
+    const double path_m = 10.0;  // 5 s at best
+    for (const auto& [time_s, score] : {std::pair{4.0, 0.5}, {10.0, 0.5}, {20.0, 0.25}, {90.0, 0.125}}) {
+        result.time_s = time_s;
+        EXPECT_NEAR(barn_score(result, path_m), score, 1e-9);
+    }
+    result.outcome = Outcome::Collision;
+    EXPECT_EQ(barn_score(result, path_m), 0.0);
+}
+
+}  // namespace
+}  // namespace flownav
