@@ -67,7 +67,8 @@ cv::Mat1f noise(const Band& band, const TileGrid& grid, Random& random) {
     cv::Scalar mean;
     cv::Scalar deviation;
     cv::meanStdDev(picture, mean, deviation);
-    return (picture - mean[0]) / deviation[0];
+    picture.convertTo(picture, CV_32F, 1.0 / deviation[0], -mean[0] / deviation[0]);
+    return picture;
 }
 
 /// Share of texel `i` that lies in the joint at the low end of every slab.
