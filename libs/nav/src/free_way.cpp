@@ -144,7 +144,8 @@ FreeWay free_way(const FootprintField& field, const COccupancyGridMap2D& map, co
     }
     Walk walk(field, map, params);
     FreeWay way{end, end};
-    for (double at = 0.0; at < end; at += step) {
+    for (int i = 0; i * step < end; ++i) {
+        const double at = i * step;
         if (walk.touches(pose_after(unit, at), turning || at > params.bumper_m)) {
             way.occupied = at;
             break;

@@ -27,7 +27,7 @@ class LaneNavigator : public Navigator {
     }
 
     Decision decide(const Situation& situation, const Eigen::Vector2d& waypoint_m) override {
-        step(system_, robot_, situation, waypoint_m);
+        if (!step(system_, robot_, situation, waypoint_m)) return at_way_point();
         const LaneDecision& lanes = system_.last_decision();
         return {robot_.command(), lanes.way.occupied, lanes.stuck, lanes.why};
     }

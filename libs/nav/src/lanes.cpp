@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "flownav/nav/motion_model.h"
 #include "lane_view.h"
@@ -33,10 +34,10 @@ double room_to_turn_m(const Polygon& footprint_m) {
 
 class Choice {
   public:
-    Choice(const LaneTables& tables, const COccupancyGridMap2D& map, const Vector2d& waypoint_m,
+    Choice(const LaneTables& tables, const COccupancyGridMap2D& map, Vector2d waypoint_m,
            const MotionCommand& motion, const LaneParams& params)
         : tables_(tables),
-          waypoint_m_(waypoint_m),
+          waypoint_m_(std::move(waypoint_m)),
           motion_(motion),
           params_(params),
           kinds_(kinds_of(map, params.limits)) {
@@ -186,10 +187,11 @@ class Choice {
 LaneDecision choose_lane(const LaneTables& tables, const COccupancyGridMap2D& local_map,
                          const Vector2d& waypoint_robot_m, const MotionCommand& motion,
                          const LaneParams& params) {
-    if (!tables.grid.fits(local_map))
+    if (!tables.grid.fits(local_map)) {
         throw std::invalid_argument(
             "the local map does not fit the lane tables: make them for its size and "
             "resolution");
+    }
     return Choice(tables, local_map, waypoint_robot_m, motion, params).run();
 }
 

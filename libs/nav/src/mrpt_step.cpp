@@ -7,7 +7,7 @@ constexpr float reached_m = 0.05F;  // when a goal is reached is not for the loc
 
 }  // namespace
 
-void step(mrpt::nav::CWaypointsNavigator& system, GridRobot& robot, const Situation& situation,
+bool step(mrpt::nav::CWaypointsNavigator& system, GridRobot& robot, const Situation& situation,
           const Eigen::Vector2d& waypoint_m) {
     if (mrpt::Clock::getActiveClock() == mrpt::Clock::Simulated)
         mrpt::Clock::setSimulatedTime(mrpt::Clock::fromDouble(situation.time_s));
@@ -19,6 +19,11 @@ void step(mrpt::nav::CWaypointsNavigator& system, GridRobot& robot, const Situat
     request.target.targetDesiredRelSpeed = 0.2;
     system.navigate(&request);
     system.navigationStep();
+    return system.getCurrentState() != mrpt::nav::CAbstractNavigator::IDLE;
+}
+
+Decision at_way_point() {
+    return {{}, 0.0, false, "at the way point"};
 }
 
 void set_verbosity(mrpt::nav::CWaypointsNavigator& system, bool verbose) {

@@ -50,7 +50,7 @@ class ReactiveNavigator : public Navigator {
         }
         // MRPT knows no target beyond its range.
         const Vector2d near = there * std::min(1.0, 0.9 * reactive_range_m / std::max(1e-6, there.norm()));
-        step(system_, robot_, situation, transform(situation.T_map_robot, near));
+        if (!step(system_, robot_, situation, transform(situation.T_map_robot, near))) return at_way_point();
         if (!situation.obstacles_known) return {{}, 0.0, false, "obstacles are not known"};
         const MotionCommand wanted = robot_.command();
         const bool stands = std::hypot(wanted.v_mps, wanted.omega_radps) < standing;

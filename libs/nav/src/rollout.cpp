@@ -11,6 +11,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double step_s = 0.05;
+constexpr double longest_s = 10.0;  // any robot stands by then
 constexpr double nearer_m = 0.008;
 constexpr double under_m = 0.06;
 
@@ -73,7 +74,8 @@ bool can_still_stop(const RobotModel& robot, const FootprintField& field,
     Pose2 pose;
     const double told_s = robot.delay_s;
     const double stop_s = told_s + params.period_s + robot.delay_s;
-    for (double t = 0.0; t < 10.0; t += step_s) {
+    for (int i = 0; i * step_s < longest_s; ++i) {
+        const double t = i * step_s;
         if (t >= told_s) now = after_step(robot, now, t < stop_s ? command : MotionCommand{});
         if (t >= stop_s && now.v_mps == 0.0 && now.omega_radps == 0.0) break;
         pose = compose(pose, pose_after(now, step_s));

@@ -34,10 +34,12 @@ class Sweep {
         const auto column =
             static_cast<int>(std::floor((T_robot_there.x_m - grid_.low_m.x()) / grid_.cell_m));
         const auto row = static_cast<int>(std::floor((T_robot_there.y_m - grid_.low_m.y()) / grid_.cell_m));
-        for (int r = std::max(0, row - reach); r <= std::min(grid_.rows - 1, row + reach); ++r)
-            for (int c = std::max(0, column - reach); c <= std::min(grid_.columns - 1, column + reach); ++c)
+        for (int r = std::max(0, row - reach); r <= std::min(grid_.rows - 1, row + reach); ++r) {
+            for (int c = std::max(0, column - reach); c <= std::min(grid_.columns - 1, column + reach); ++c) {
                 pass(static_cast<std::size_t>(r) * grid_.columns + c, way,
                      field_.distance_m(transform(T_there_robot, grid_.middle_of(c, r))));
+            }
+        }
     }
 
     std::vector<LaneCell> cells() const {

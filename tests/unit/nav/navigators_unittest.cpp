@@ -132,6 +132,16 @@ TEST_P(Navigators, EnclosedTheyAreStuck) {
     EXPECT_EQ(decision.command.v_mps, 0.0);
 }
 
+TEST_P(Navigators, AtTheWayPointTheyStandAndAreNotStuck) {
+    const auto navigator = make_navigator(options_of(GetParam()));
+    const auto map = Course().local_map({});
+    navigator->decide({0.0, {}, {}, &map, true}, {1.0, 0.0});
+    const Decision decision = navigator->decide({0.2, {}, {}, &map, true}, {0.02, 0.0});
+    EXPECT_EQ(decision.command.v_mps, 0.0);
+    EXPECT_FALSE(decision.stuck);
+    EXPECT_GT(navigator->decide({0.4, {}, {}, &map, true}, {1.0, 0.0}).command.v_mps, 0.0);
+}
+
 TEST_P(Navigators, ANewWayPointEveryTimeStopsNothing) {
     const auto navigator = make_navigator(options_of(GetParam()));
     const auto map = Course().local_map({});
