@@ -79,7 +79,7 @@ Fault Guard::fault_now(double time_s) {
         return {GuardReason::NavigatorSilent, "the navigator proposes a speed that is not a number"};
     }
     // Asked whether it counts or not: it has to know when fields arrived.
-    const Fault sensor = sensor_.fault(time_s);
+    Fault sensor = sensor_.fault(time_s);
     if (sensor && params_.needs_fields) return sensor;
     if (map_s_ && time_s - *map_s_ > params_.map_stale_s) {
         return {GuardReason::SensorStale, sentence("no new map for ", time_s - *map_s_, " s")};

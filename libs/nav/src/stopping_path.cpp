@@ -43,8 +43,8 @@ std::vector<Pose2> stopping_path(const RobotModel& robot, const MotionCommand& m
     Pose2 pose;
     MotionCommand now = motion;
     double moved_m = 0.0;
-    for (double t = time_s; t < time_s + longest_s; t += tick_s) {
-        const double issued_s = t - robot.delay_s + tick_s / 2;
+    for (int tick = 0; tick * tick_s < longest_s; ++tick) {
+        const double issued_s = time_s + (tick + 0.5) * tick_s - robot.delay_s;
         MotionCommand command = command_at(sent, motion, issued_s);
         if (issued_s >= candidate.time_s) command = candidate.command;
         if (issued_s >= stop_s) command = {};

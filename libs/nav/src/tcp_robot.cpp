@@ -57,7 +57,7 @@ TcpRobot::~TcpRobot() {
     }
 }
 
-void TcpRobot::lose(const std::string& why) {
+void TcpRobot::lose(const std::string& why) const {
     throw RobotError("lost the robot at tcp:" + address_.host + ":" + address_.port + ": " + why +
                      "; it stops by itself, start again when it is back");
 }

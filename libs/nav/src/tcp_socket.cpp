@@ -74,7 +74,7 @@ TcpSocket::~TcpSocket() {
 
 TcpSocket::TcpSocket(TcpSocket&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
 
-void TcpSocket::send(std::string_view bytes) {
+void TcpSocket::send(std::string_view bytes) const {
     while (!bytes.empty()) {
         const ssize_t sent = ::send(file_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
         if (sent >= 0) {
@@ -87,7 +87,7 @@ void TcpSocket::send(std::string_view bytes) {
     }
 }
 
-std::string TcpSocket::receive() {
+std::string TcpSocket::receive() const {
     std::string bytes;
     std::array<char, 4096> buffer{};
     while (true) {
@@ -136,7 +136,7 @@ bool TcpListener::wait(double timeout_s) const {
     return ready(file_, POLLIN, timeout_s);
 }
 
-TcpSocket TcpListener::accept() {
+TcpSocket TcpListener::accept() const {
     const int file = ::accept(file_, nullptr, nullptr);
     if (file < 0) fail("cannot accept a connection");
     prepare(file);

@@ -17,7 +17,7 @@ Kind parsed(const std::string& text) {
 }
 
 TEST(BaseProtocol, EveryLineReadsBackAsItWasWritten) {
-    const WheelReading odometry =
+    const auto odometry =
         parsed<WheelReading>(text(WheelReading{1e9 + 1.0 / 3.0, {-1.5, 2e-9, 0.1}, {0.25, -3.0}}));
     EXPECT_EQ(odometry.time_s, 1e9 + 1.0 / 3.0);
     EXPECT_EQ(odometry.T_odom_robot.x_m, -1.5);
@@ -25,7 +25,7 @@ TEST(BaseProtocol, EveryLineReadsBackAsItWasWritten) {
     EXPECT_EQ(odometry.T_odom_robot.yaw_rad, 0.1);
     EXPECT_EQ(odometry.motion.v_mps, 0.25);
     EXPECT_EQ(odometry.motion.omega_radps, -3.0);
-    const Drive drive = parsed<Drive>(text(Drive{{0.4, -0.9}, 77}));
+    const auto drive = parsed<Drive>(text(Drive{{0.4, -0.9}, 77}));
     EXPECT_EQ(drive.command.v_mps, 0.4);
     EXPECT_EQ(drive.command.omega_radps, -0.9);
     EXPECT_EQ(drive.sequence, 77);

@@ -6,6 +6,7 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "flownav/nav/guard.h"
 #include "flownav/nav/motion_model.h"
@@ -16,7 +17,7 @@ namespace flownav::nav {
 /// forecast.
 class ModelRobot {
   public:
-    explicit ModelRobot(const RobotModel& robot) : robot_(robot) {}
+    explicit ModelRobot(RobotModel robot) : robot_(std::move(robot)) {}
 
     void command(double time_s, const MotionCommand& command) { commands_.push_back({time_s, command}); }
 

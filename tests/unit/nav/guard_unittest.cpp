@@ -265,9 +265,10 @@ TEST(Guard, ABlindStripBeforeTheBumperIsCrawledOver) {
     drive.go(8.0, [&](Tick& tick) {
         if (tick.map == nullptr) return;
         *tick.map = known_ground(0.5F);
-        for (float x = 0.75F; x < 3.0F; x += 0.05F)
-            for (float y = -1.0F; y < 1.0F; y += 0.05F)
-                tick.map->setCell(tick.map->x2idx(x), tick.map->y2idx(y), 0.8F);
+        for (int x = tick.map->x2idx(0.75F); x < tick.map->x2idx(3.0F); ++x) {
+            for (int y = tick.map->y2idx(-1.0F); y < tick.map->y2idx(1.0F); ++y)
+                tick.map->setCell(x, y, 0.8F);
+        }
         if (drive.robot.pose().x_m < 0.3) {
             EXPECT_LE(drive.robot.motion().v_mps, 0.1 + 1e-9);
         }

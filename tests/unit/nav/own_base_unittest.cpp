@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 #include <poll.h>
-#include <stdlib.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -29,10 +29,10 @@ class Controller {
 
     std::string device() const { return ::ptsname(file_); }
 
-    void write(const std::string& text) {
+    void write(const std::string& text) const {
         ASSERT_EQ(::write(file_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
     }
-    std::string read_line() {
+    std::string read_line() const {
         std::string line;
         for (char c = 0; ::read(file_, &c, 1) == 1 && c != '\n';) line += c;
         return line;

@@ -60,7 +60,7 @@ class TcpRobot : public RobotBase {
   private:
     void greet(double timeout_s);
     void take(const base_protocol::Line& line);
-    [[noreturn]] void lose(const std::string& why);
+    [[noreturn]] void lose(const std::string& why) const;
 
     TcpAddress address_;
     TcpRobotParams params_;

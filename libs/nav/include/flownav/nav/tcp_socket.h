@@ -16,10 +16,10 @@ class TcpSocket {
     TcpSocket& operator=(TcpSocket&&) = delete;
 
     /// All of it, within a second.
-    void send(std::string_view bytes);
+    void send(std::string_view bytes) const;
 
     /// What has arrived, perhaps nothing.
-    std::string receive();
+    std::string receive() const;
 
     /// True when something has arrived (or the connection has ended) before the time is over.
     bool wait(double timeout_s) const;
@@ -39,7 +39,7 @@ class TcpListener {
 
     int port() const { return port_; }
     bool wait(double timeout_s) const;
-    TcpSocket accept();
+    TcpSocket accept() const;
 
   private:
     int file_ = -1;
