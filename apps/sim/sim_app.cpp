@@ -1,0 +1,103 @@
+#include "sim_app.h"
+
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <ostream>
+
+#include "flownav/replay/drive_recording.h"
+#include "flownav/replay/output_file.h"
+#include "flownav/replay/progress.h"
+#include "flownav/sim/collision.h"
+#include "flownav/sim/sdf_world.h"
+#include "sim_options.h"
+
+namespace flownav {
+namespace {
+
+constexpr int usage_status = 1;
+constexpr int input_status = 2;
+constexpr int output_status = 3;
+
+int images_of(const SimOptions& options) {
+    return static_cast<int>(std::floor(options.path->end_s() * options.camera.rate_hz + 1e-6)) + 1;
+}
+
+/// The first thing that the robot would have run into, if any.
+std::string contact(const SimOptions& options, const Pose2& pose, double time_s) {
+    const sim::Clearance clear = sim::clearance(options.world, RobotModel{}, pose, time_s);
+    return clear.distance_m > 0.0 ? "" : clear.nearest;
+}
+
+void record(const SimOptions& options, Progress& progress, std::ostream& error) {
+    DriveRecording recording(options.output);
+    sim::CameraSimulator camera(options.world, options.camera);
+    sim::WheelOdometry wheels(options.odometry);
+    const int images = images_of(options);
+    std::string touched;
+    std::future<void> writing;  // of one image while the next one is rendered
+    for (int i = 0; i < images; ++i) {
+        const double time_s = i / options.camera.rate_hz;
+        const Pose2 pose = options.path->at(time_s);
+        const Field field = camera.take(i, pose, time_s);
+        const Pose2 odometry = wheels.update(pose);
+        if (writing.valid()) writing.get();
+        writing = std::async(std::launch::async, [&recording, field, odometry, pose] {
+            recording.write_odometry(field.timestamp_s, odometry);
+            recording.write_truth(field.timestamp_s, pose);
+            recording.write(field);
+        });
+        if (touched.empty() && !(touched = contact(options, pose, time_s)).empty())
+            error << "flownav-sim: warning: after " << time_s << " s the path goes through " << touched
+                  << '\n';
+        progress.update(static_cast<double>(i + 1) / images, static_cast<std::uint64_t>(i + 1));
+    }
+    writing.get();
+    recording.complete();
+}
+
+void run(const SimOptions& options, std::ostream& out, std::ostream& error) {
+    for (const std::string& warning : options.warnings) error << "flownav-sim: warning: " << warning << '\n';
+    if (!options.write_world.empty()) {
+        write_file(options.write_world, sim::to_sdf(options.world));
+        if (!options.quiet)
+            out << options.write_world.string() << ": " << options.world.solids.size() << " solids\n";
+    }
+    if (!options.path) return;
+    Progress progress(stdout, options.quiet ? Progress::Style::Silent : Progress::style_for(stdout));
+    const auto begin = std::chrono::steady_clock::now();
+    record(options, progress, error);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    const int images = images_of(options);
+    progress.finish(static_cast<std::uint64_t>(images));
+    if (options.quiet) return;
+    const double drive_s = images / options.camera.rate_hz;
+    const double times = std::round(10.0 * drive_s / std::max(took.count(), 1e-3)) / 10.0;
+    out << options.output.string() << ": " << images << " images of " << std::round(10.0 * drive_s) / 10.0
+        << " s, recorded at " << times << " times real time\n";
+}
+
+}  // namespace
+
+int run_sim_app(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& error) {
+    const auto fail = [&error](const std::exception& exception, int status) {
+        error << "flownav-sim: " << exception.what() << '\n';
+        return status;
+    };
+    try {
+        int status = 0;
+        const auto options = parse_sim_options(arguments, out, error, status);
+        if (options) run(*options, out, error);
+        return status;
+    } catch (const OutputError& exception) {
+        return fail(exception, output_status);
+    } catch (const sim::WorldError& exception) {
+        return fail(exception, input_status);
+    } catch (const sim::PathError& exception) {
+        return fail(exception, input_status);
+    } catch (const std::exception& exception) {
+        return fail(exception, usage_status);
+    }
+}
+
+}  // namespace flownav

@@ -1,0 +1,190 @@
+#include "sim_options.h"
+
+#include <cmath>
+#include <memory>
+
+#include "command_output.h"
+#include "configuration.h"
+#include "flownav/core/version.h"
+#include "flownav/sensor/config_value.h"
+#include "flownav/sim/drive_script.h"
+#include "flownav/sim/generate_world.h"
+#include "flownav/sim/sdf_world.h"
+#include "sim_help.h"
+
+namespace flownav {
+namespace {
+
+using Text = TCLAP::ValueArg<std::string>;
+using Number = TCLAP::ValueArg<double>;
+
+constexpr double degree = M_PI / 180.0;
+
+/// The arguments as TCLAP sees them.
+struct Arguments {
+    explicit Arguments(TCLAP::CmdLine& c) : command(c) {}
+
+    TCLAP::CmdLine& command;
+    TCLAP::UnlabeledMultiArg<std::string> worlds{"world", "", false, "WORLD.world", command};
+    Text generate{"", "generate", "", false, "", "KIND", command};
+    TCLAP::ValueArg<std::uint64_t> seed{"", "seed", "", false, 1, "N", command};
+    Text write_world{"", "write-world", "", false, "", "F.world", command};
+    Text path{"", "path", "", false, "", "FILE.csv", command};
+    Text script{"", "script", "", false, "", "STEPS", command};
+    Number speed{"", "speed", "", false, 0.4, "MPS", command};
+    Number turn{"", "turn-degps", "", false, 30.0, "DEGPS", command};
+    Text output{"", "output", "", false, "", "F.rawlog", command};
+    Text camera{"", "camera", "", false, "", "FILE.ini", command};
+    TCLAP::MultiArg<std::string> settings{"", "set", "", false, "camera.key=value", command};
+    Text height{"", "height-m", "", false, "", "H", command};
+    Text pitch{"", "pitch-deg", "", false, "", "P", command};
+    TCLAP::ValueArg<int> width_px{"", "width", "", false, 640, "PX", command};
+    TCLAP::ValueArg<int> height_px{"", "height", "", false, 480, "PX", command};
+    Number fov{"", "fov-deg", "", false, 55.0, "D", command};
+    Number rate{"", "rate", "", false, 25.0, "HZ", command};
+    TCLAP::SwitchArg interlaced{"", "interlaced", "", command};
+    Number noise{"", "noise", "", false, 2.5, "GREY", command};
+    Number vibration{"", "vibration-deg", "", false, 0.0, "D", command};
+    Number exposure_step{"", "exposure-step", "", false, 0.0, "S", command};
+    Number vignetting{"", "vignetting", "", false, 0.0, "S", command};
+    Number blur{"", "blur-px", "", false, 0.0, "PX", command};
+    Number wheel_scale{"", "wheel-scale", "", false, 1.006, "S", command};
+    Number wheel_turn_scale{"", "wheel-turn-scale", "", false, 1.01, "S", command};
+    Number wheel_noise{"", "wheel-noise", "", false, 1.0, "F", command};
+    TCLAP::SwitchArg quiet{"", "quiet", "", command};
+};
+
+template <class Number>
+Number in_range(TCLAP::ValueArg<Number>& argument, Number low, Number high) {
+    if (argument.getValue() >= low && argument.getValue() <= high) return argument.getValue();
+    const auto text = [](Number value) { return config::format_number(static_cast<double>(value)); };
+    throw ConfigError("--" + argument.getName() + ' ' + text(argument.getValue()) + ": must be " + text(low) +
+                      ".." + text(high));
+}
+
+/// What is missing or does not go together; empty when all is well.
+std::string complaint(Arguments& a) {
+    for (const std::string& word : a.worlds.getValue())
+        if (word.rfind('-', 0) == 0) return "there is no option " + word;
+    const std::size_t worlds = a.worlds.getValue().size() + (a.generate.isSet() ? 1 : 0);
+    if (worlds != 1) return "needs one world: a file, or --generate KIND";
+    if (a.path.isSet() && a.script.isSet()) return "give --path or --script, not both";
+    const bool drives = a.path.isSet() || a.script.isSet();
+    if (drives != a.output.isSet())
+        return drives ? "needs --output F.rawlog" : "needs --path FILE.csv or --script STEPS for a recording";
+    if (!drives && !a.write_world.isSet()) return "needs --path or --script and --output, or --write-world";
+    return "";
+}
+
+sim::WorldKind kind_named(const std::string& word) {
+    using Kind = sim::WorldKind;
+    std::string known;
+    for (const Kind kind : {Kind::Corridor, Kind::Office, Kind::Hall, Kind::Forest}) {
+        if (word == to_string(kind)) return kind;
+        known += std::string(known.empty() ? "" : ", ") + to_string(kind);
+    }
+    throw ConfigError("--generate " + word + ": is none of " + known);
+}
+
+void take_world(Arguments& a, SimOptions& options) {
+    if (a.generate.isSet()) {
+        options.world = sim::generate_world(kind_named(a.generate.getValue()), a.seed.getValue());
+        return;
+    }
+    sim::LoadedWorld loaded = sim::read_sdf_world(a.worlds.getValue().front());
+    options.world = std::move(loaded.world);
+    options.warnings = std::move(loaded.warnings);
+}
+
+std::optional<sim::TimedPath> path_of(Arguments& a, const Pose2& start) {
+    const sim::PathSpeed speed{in_range(a.speed, 0.01, 5.0), in_range(a.turn, 0.1, 180.0) * degree};
+    if (a.path.isSet()) {
+        const auto given = a.speed.isSet() ? std::make_optional(speed) : std::nullopt;
+        return sim::read_path(a.path.getValue(), given);
+    }
+    if (!a.script.isSet()) return std::nullopt;
+    RobotModel robot;
+    robot.v_max_mps = speed.v_mps;
+    robot.v_back_mps = speed.v_mps;
+    robot.omega_max_radps = 2 * speed.omega_radps;  // a script begins with half of it
+    return sim::drive_script(a.script.getValue(), robot, start);
+}
+
+/// Value of a key of the camera: the option, the ini, or the default.
+double camera_value(Text& option, const std::string& key, std::optional<double> CameraConfig::*member,
+                    Config& config, double otherwise) {
+    if (option.isSet()) set_config_value(config, key, option.getValue());
+    return (config.camera.*member).value_or(otherwise);
+}
+
+CameraModel camera_model_of(Arguments& a) {
+    Config config = configuration(a.camera.getValue(), a.settings.getValue());
+    CameraModel camera;
+    camera.width_px = a.interlaced.getValue() && !a.width_px.isSet() ? 768 : in_range(a.width_px, 64, 4096);
+    camera.height_px =
+        a.interlaced.getValue() && !a.height_px.isSet() ? 576 : in_range(a.height_px, 48, 4096);
+    const double half_rad = in_range(a.fov, 10.0, 140.0) / 2 * degree;
+    const CameraConfig& ini = config.camera;
+    camera.fx_px = ini.fx_px.value_or(camera.width_px / 2.0 / std::tan(half_rad));
+    camera.fy_px = ini.fy_px.value_or(camera.fx_px);
+    camera.cx_px = ini.cx_px.value_or((camera.width_px - 1) / 2.0);
+    camera.cy_px = ini.cy_px.value_or((camera.height_px - 1) / 2.0);
+    if (ini.distortion) camera.distortion = *ini.distortion;
+    camera.mount.height_m = camera_value(a.height, "camera.height_m", &CameraConfig::height_m, config, 0.9);
+    camera.mount.pitch_rad =
+        camera_value(a.pitch, "camera.pitch_deg", &CameraConfig::pitch_deg, config, 25.0) * degree;
+    camera.mount.roll_rad = ini.roll_deg.value_or(0.0) * degree;
+    camera.mount.yaw_rad = ini.yaw_deg.value_or(0.0) * degree;
+    camera.mount.forward_m = ini.forward_m.value_or(0.0);
+    camera.mount.left_m = ini.left_m.value_or(0.0);
+    return camera;
+}
+
+SimOptions options_of(Arguments& a) {
+    SimOptions options;
+    options.output = a.output.getValue();
+    options.write_world = a.write_world.getValue();
+    options.quiet = a.quiet.getValue();
+    options.camera.camera = camera_model_of(a);
+    options.camera.interlaced = a.interlaced.getValue();
+    options.camera.rate_hz =
+        a.interlaced.getValue() && !a.rate.isSet() ? 50.0 : in_range(a.rate, 1.0, 1000.0);
+    options.camera.effects.noise_sigma = in_range(a.noise, 0.0, 50.0);
+    options.camera.effects.pitch_vibration_deg = in_range(a.vibration, 0.0, 5.0);
+    options.camera.effects.exposure_step = in_range(a.exposure_step, 0.0, 0.9);
+    options.camera.effects.vignetting = in_range(a.vignetting, 0.0, 0.9);
+    options.camera.effects.blur_px = in_range(a.blur, 0.0, 10.0);
+    options.camera.effects.seed = a.seed.getValue();
+    options.odometry.scale = in_range(a.wheel_scale, 0.5, 2.0);
+    options.odometry.turn_scale = in_range(a.wheel_turn_scale, 0.5, 2.0);
+    options.odometry.way_noise_m *= in_range(a.wheel_noise, 0.0, 100.0);
+    options.odometry.turn_noise_rad *= a.wheel_noise.getValue();
+    options.odometry.seed = a.seed.getValue();
+    take_world(a, options);
+    options.path = path_of(a, options.world.start);
+    return options;
+}
+
+}  // namespace
+
+std::optional<SimOptions> parse_sim_options(const std::vector<std::string>& arguments, std::ostream& out,
+                                            std::ostream& error, int& status) {
+    TCLAP::CmdLine command("", ' ', version());
+    CommandOutput output(command, "flownav-sim", sim_help, out, error);
+    const auto args = std::make_unique<Arguments>(command);
+    std::vector<const char*> argv;
+    argv.reserve(arguments.size());
+    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+    status = 0;
+    if (!command.parse(static_cast<int>(argv.size()), argv.data())) {
+        status = output.failed() ? 1 : 0;
+        return std::nullopt;
+    }
+    const std::string wrong = complaint(*args);
+    if (wrong.empty()) return options_of(*args);
+    output.fail(wrong);
+    status = 1;
+    return std::nullopt;
+}
+
+}  // namespace flownav

@@ -1,0 +1,192 @@
+#include "sim_app.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "app_runs.h"
+#include "flownav/core/version.h"
+#include "flownav/replay/field_source.h"
+#include "flownav/sim/generate_world.h"
+#include "flownav/sim/sdf_world.h"
+
+namespace flownav {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Outcome;
+
+Outcome run(const std::vector<std::string>& arguments) {
+    return testing::run_app(run_sim_app, "flownav-sim", arguments);
+}
+
+fs::path test_folder() {
+    return testing::folder_of_test("flownav_sim_app");
+}
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A world with a ball 1 m to the left of the origin.
+std::string small_world() {
+    const fs::path file = fs::path(::testing::TempDir()) / "flownav_sim_app" / "small.world";
+    if (fs::exists(file)) return file.string();
+    // Tests run side by side.
+    const fs::path draft = testing::folder_of_test("flownav_sim_app_draft") / "small.world";
+    fs::create_directories(file.parent_path());
+    std::ofstream(draft)
+        << "<sdf version='1.9'><world name='w'><model name='ball'><pose>0 1 0.5 0 0 0</pose>"
+           "<link name='l'><collision name='c'><geometry><sphere><radius>0.2</radius></sphere>"
+           "</geometry></collision></link></model></world></sdf>";
+    fs::rename(draft, file);
+    return file.string();
+}
+
+/// Arguments of a short drive with small images.
+std::vector<std::string> small_drive(const fs::path& output) {
+    return {small_world(), "--script", "forward 0.4", "--width",       "160",
+            "--height",    "120",      "--output",    output.string(), "--quiet"};
+}
+
+TEST(SimApp, HelpAndVersionGoToTheOutputWithStatusZero) {
+    const Outcome help = run({"--help"});
+    EXPECT_EQ(help.status, 0);
+    EXPECT_TRUE(help.error.empty());
+    for (const char* part : {"--script", "--path", "--generate", "Exit status", "--interlaced"})
+        EXPECT_NE(help.out.find(part), std::string::npos) << part;
+    EXPECT_EQ(run({"--version"}).out, "flownav-sim " + std::string(version()) + "\n");
+}
+
+TEST(SimApp, BadUsageIsStatusOneAndSaysWhatIsWrong) {
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+        {{}, "one world"},
+        {{"a.world", "b.world", "--script", "wait 1", "--output", "o"}, "one world"},
+        {{"a.world", "--generate", "hall", "--script", "wait 1", "--output", "o"}, "one world"},
+        {{"a.world"}, "--write-world"},
+        {{"a.world", "--script", "wait 1"}, "--output"},
+        {{"a.world", "--output", "o"}, "--path"},
+        {{"a.world", "--script", "wait 1", "--path", "p.csv", "--output", "o"}, "not both"},
+        {{"--generate", "cave", "--write-world", "o"}, "corridor, office, hall, forest"},
+        {{"--generate", "hall", "--fov-deg", "190", "--write-world", "o"}, "--fov-deg 190: must be 10..140"},
+        {{"--generate", "hall", "--width", "3", "--write-world", "o"}, "--width 3"},
+        {{"--generate", "hall", "--height-m", "99", "--write-world", "o"}, "camera.height_m"},
+        {{"--generate", "hall", "--unknown"}, "no option --unknown"},
+    };
+    for (const auto& [arguments, wrong] : cases) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 1) << wrong;
+        EXPECT_TRUE(outcome.out.empty()) << outcome.out;
+        EXPECT_NE(outcome.error.find(wrong), std::string::npos) << wrong << " in: " << outcome.error;
+    }
+    EXPECT_FALSE(fs::exists("o"));
+}
+
+TEST(SimApp, AWorldOrPathThatCannotBeReadIsStatusTwo) {
+    const fs::path folder = test_folder();
+    const std::string output = (folder / "o.rawlog").string();
+    EXPECT_EQ(run({"/no/such.world", "--script", "wait 1", "--output", output}).status, 2);
+    EXPECT_EQ(run({"--generate", "hall", "--path", "/no/such.csv", "--output", output}).status, 2);
+    const Outcome bad = run({"--generate", "hall", "--script", "jump 1", "--output", output});
+    EXPECT_EQ(bad.status, 2);
+    EXPECT_NE(bad.error.find("\"jump 1\""), std::string::npos) << bad.error;
+    EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST(SimApp, WritesTheGeneratedWorld) {
+    const fs::path file = test_folder() / "w.world";
+    const Outcome outcome = run({"--generate", "office", "--seed", "3", "--write-world", file.string()});
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_EQ(text_of(file), sim::to_sdf(sim::generate_world(sim::WorldKind::Office, 3)));
+    EXPECT_EQ(run({"--generate", "hall", "--write-world", "/no/such/folder/w.world"}).status, 3);
+}
+
+struct Recorded {
+    std::vector<double> times_s;
+    std::vector<Field> fields;
+    std::vector<PoseSample> odometry, truth;
+};
+
+Recorded read(const fs::path& file) {
+    Recorded recorded;
+    RawlogReader reader(file.string());
+    FieldSource source(reader, CameraConfig{});
+    while (auto event = source.next()) {
+        if (auto* field = std::get_if<Field>(&*event)) {
+            recorded.times_s.push_back(field->timestamp_s);
+            recorded.fields.push_back(std::move(*field));
+        } else {
+            const auto& pose = std::get<PoseSample>(*event);
+            (pose.source == PoseSample::Source::Odometry ? recorded.odometry : recorded.truth)
+                .push_back(pose);
+        }
+    }
+    return recorded;
+}
+
+TEST(SimApp, RecordsImagesOdometryAndTruthOfADrive) {
+    const fs::path file = test_folder() / "drive.rawlog";
+    const Outcome outcome = run(small_drive(file));
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    const Recorded recorded = read(file);
+    ASSERT_GT(recorded.fields.size(), 30U);
+    EXPECT_EQ(recorded.odometry.size(), recorded.fields.size());
+    EXPECT_EQ(recorded.truth.size(), recorded.fields.size());
+    EXPECT_NEAR(recorded.times_s[10] - recorded.times_s[0], 0.4, 1e-6);
+    const CameraModel& camera = recorded.fields[0].camera;
+    EXPECT_EQ(camera.width_px, 160);
+    EXPECT_NEAR(camera.fx_px, 80.0 / std::tan(27.5 * M_PI / 180.0), 1e-6);
+    EXPECT_NEAR(camera.mount.height_m, 0.9, 1e-9);
+    EXPECT_NEAR(camera.mount.pitch_rad, 25.0 * M_PI / 180.0, 1e-9);
+    const auto& first = recorded.truth.front().pose;
+    const auto& last = recorded.truth.back().pose;
+    EXPECT_NEAR(std::hypot(last.x - first.x, last.y - first.y), 0.4, 2e-3);
+    EXPECT_FALSE(fs::exists(file.string() + ".part"));
+}
+
+TEST(SimApp, TheSameSeedGivesTheSameBytes) {
+    const fs::path folder = test_folder();
+    auto other = small_drive(folder / "other.rawlog");
+    other.insert(other.end(), {"--seed", "2"});
+    ASSERT_EQ(run(small_drive(folder / "a.rawlog")).status, 0);
+    ASSERT_EQ(run(small_drive(folder / "b.rawlog")).status, 0);
+    ASSERT_EQ(run(other).status, 0);
+    EXPECT_EQ(text_of(folder / "a.rawlog"), text_of(folder / "b.rawlog"));
+    EXPECT_NE(text_of(folder / "a.rawlog"), text_of(folder / "other.rawlog"));
+}
+
+TEST(SimApp, RecordsFieldsOfAnInterlacedCamera) {
+    const fs::path file = test_folder() / "fields.rawlog";
+    auto arguments = small_drive(file);
+    arguments.emplace_back("--interlaced");
+    ASSERT_EQ(run(arguments).status, 0);
+    const Recorded recorded = read(file);
+    ASSERT_GT(recorded.fields.size(), 60U);
+    EXPECT_EQ(recorded.fields[0].image.height_px, 60);
+    EXPECT_NEAR(recorded.fields[0].camera.fx_px, 2.0 * recorded.fields[0].camera.fy_px, 1e-6);
+    EXPECT_NEAR(recorded.times_s[1] - recorded.times_s[0], 0.02, 1e-6);
+    EXPECT_NEAR(std::abs(recorded.fields[1].camera.cy_px - recorded.fields[0].camera.cy_px), 0.5, 1e-6);
+}
+
+TEST(SimApp, WarnsWhenThePathGoesThroughSomething) {
+    const fs::path folder = test_folder();
+    std::ofstream(folder / "way.csv") << "x_m,y_m,yaw_rad\n0,0.5,0\n0,1.0,0\n";
+    const Outcome outcome =
+        run({small_world(), "--path", (folder / "way.csv").string(), "--speed", "0.5", "--width", "64",
+             "--height", "48", "--output", (folder / "d.rawlog").string(), "--quiet"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.error.find("goes through ball"), std::string::npos) << outcome.error;
+}
+
+TEST(SimApp, AnOutputThatCannotBeWrittenIsStatusThree) {
+    const Outcome outcome = run(small_drive("/no/such/folder/drive.rawlog"));
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_NE(outcome.error.find("/no/such/folder/drive.rawlog"), std::string::npos) << outcome.error;
+}
+
+}  // namespace
+}  // namespace flownav
