@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "app_runs.h"
 #include "flownav/core/version.h"
 #include "flownav/replay/field_source.h"
+#include "flownav/replay/replay.h"
 #include "flownav/sim/generate_world.h"
 #include "flownav/sim/sdf_world.h"
 
@@ -146,6 +148,30 @@ TEST(SimApp, RecordsImagesOdometryAndTruthOfADrive) {
     const auto& last = recorded.truth.back().pose;
     EXPECT_NEAR(std::hypot(last.x - first.x, last.y - first.y), 0.4, 2e-3);
     EXPECT_FALSE(fs::exists(file.string() + ".part"));
+}
+
+TEST(SimApp, AReplayOfTheRecordingComesNearTheTruth) {
+    const fs::path folder = test_folder();
+    const std::string railing = std::string(FLOWNAV_WORLDS) + "/railing_and_chair.world";
+    const fs::path drive = folder / "drive.rawlog";
+    ASSERT_EQ(run({railing, "--script", "forward 0.7; right 15 2; left 15 2", "--width", "320", "--height",
+                   "240", "--output", drive.string(), "--quiet"})
+                  .status,
+              0);
+    ReplayOptions options;
+    options.input = drive;
+    options.output = folder / "result";
+    ASSERT_EQ(replay(options).status, ExitStatus::Fine);
+    const auto errors = nlohmann::json::parse(text_of(folder / "result" / "summary.json"))["errors"];
+    const auto& truth = errors["ground_truth"];
+    EXPECT_LT(truth["omega_cycle_rms_degps"].get<double>(), 0.12);
+    EXPECT_LT(std::abs(truth["v_bias_percent"].get<double>()), 1.0);
+    EXPECT_LT(truth["end_position_percent"].get<double>(), 1.0);
+    EXPECT_LT(std::abs(truth["heading_end_deg"].get<double>()), 0.5);
+    EXPECT_EQ(truth["t_measured_percent"].get<double>(), 100.0);
+    // The wheels measure 0.6 % too much.
+    EXPECT_NEAR(errors["odometry"]["v_bias_percent"].get<double>() - truth["v_bias_percent"].get<double>(),
+                -0.6, 0.4);
 }
 
 TEST(SimApp, TheSameSeedGivesTheSameBytes) {
