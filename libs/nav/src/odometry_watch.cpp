@@ -108,6 +108,7 @@ void OdometryWatch::count_still(const SensorReport& report) {
     const bool is_still = std::abs(report.omega_radps) < params_.still_radps;
     const bool counts = is_still && moved_m > standing_m;
     still_fields_ = counts ? still_fields_ + 1 : 0;
+    alike_fields_ = counts ? alike_fields_ + (std::abs(report.omega_radps) < params_.alike_radps) : 0;
     still_way_m_ = counts ? still_way_m_ + moved_m : 0.0;
 }
 
@@ -139,7 +140,8 @@ Fault OdometryWatch::contradiction(const std::deque<Pair>& pairs, double free, d
 
 Fault OdometryWatch::fault(double time_s) const {
     if (newest_s_ < -1e8) return {};  // a robot without wheel odometry
-    if (still_fields_ >= params_.frozen_fields && still_way_m_ >= params_.frozen_way_m) {
+    if (still_fields_ >= params_.frozen_fields && alike_fields_ >= 2 &&
+        still_way_m_ >= params_.frozen_way_m) {
         return {GuardReason::SensorFrozen,
                 sentence("the last ", still_fields_, " images are alike, though the wheels moved ",
                          still_way_m_, " m")};

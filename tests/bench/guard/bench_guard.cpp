@@ -17,6 +17,8 @@ struct Arguments {
     TCLAP::ValueArg<int> first{"", "first", "seed", false, 1, "N", line};
     TCLAP::MultiArg<std::string> fault{"", "fault", "only these", false, "NAME", line};
     TCLAP::ValueArg<std::string> sensor{"", "sensor", "flow or lidar", false, "flow", "NAME", line};
+    TCLAP::ValueArg<std::string> navigator{"",     "navigator", "lanes or reactive", false, "lanes",
+                                           "NAME", line};
     TCLAP::ValueArg<double> near{"",  "mover-near-m", "distance of the mover, at least", false, 1.4, "M",
                                  line};
     TCLAP::ValueArg<double> spread{"",  "mover-spread-m", "and so much more at the most", false, 0.8, "M",
@@ -58,6 +60,7 @@ int run(int argc, char** argv) {
     a.line.parse(argc, argv);
     ScenarioOptions options;
     options.sensor = a.sensor.getValue() == "lidar" ? SensorKind::Lidar : SensorKind::Flow;
+    if (a.navigator.getValue() == "reactive") options.navigator = NavigatorKind::Reactive;
     options.explain = a.explain.getValue();
     options.mover_near_m = a.near.getValue();
     options.mover_spread_m = a.spread.getValue();

@@ -9,9 +9,9 @@
 namespace flownav {
 namespace {
 
-constexpr double lane_m = 11.0;
+constexpr double lane_m = 8.5;
 constexpr double half_width_m = 1.6;
-constexpr double goal_m = 7.0;
+constexpr double goal_m = 4.5;
 constexpr double reaction_s = 0.3;
 constexpr double tick_s = 0.02;
 constexpr double mover_speed_mps = 3.0;
@@ -152,7 +152,8 @@ SimulatedDriveOptions Scenario::drive_options() const {
     drive.start = drive.world.start;
     drive.goals_m = {*drive.world.goal};
     drive.sensor = options_.sensor;
-    drive.timeout_s = 90.0;
+    drive.timeout_s = 60.0;
+    drive.config.navigation.navigator = options_.navigator;
     drive.odometry.seed = seed_;
     CameraModel& camera = drive.camera.camera;
     camera.width_px = options_.width_px;
@@ -171,8 +172,8 @@ SimulatedDriveOptions Scenario::drive_options() const {
 DriveSample Scenario::moment_of(Fault fault) const {
     std::vector<DriveSample> steady;
     for (const DriveSample& sample : nominal_.samples) {
-        const bool far_enough = sample.T_world_robot.x_m > 0.8 && sample.T_world_robot.x_m < 4.5;
-        if (far_enough && sample.motion.v_mps > 0.3) steady.push_back(sample);
+        const bool far_enough = sample.T_world_robot.x_m > 0.6 && sample.T_world_robot.x_m < 2.6;
+        if (far_enough && sample.motion.v_mps > 0.25) steady.push_back(sample);
     }
     if (steady.empty()) return nominal_.samples[nominal_.samples.size() / 2];
     const double share = chance(seed_, 1000 + static_cast<std::uint64_t>(fault));

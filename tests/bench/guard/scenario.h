@@ -12,6 +12,7 @@ namespace flownav {
 struct ScenarioOptions {
     SensorKind sensor = SensorKind::Flow;
     bool explain = false;  ///< every change of the guard goes to the console
+    NavigatorKind navigator = NavigatorKind::Lanes;
     int width_px = 320;
     int height_px = 240;
     double fault_s = 3.0;         ///< how long a fault lasts

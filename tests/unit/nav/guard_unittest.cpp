@@ -137,6 +137,14 @@ TEST(Guard, StopsWhenTheImageIsFrozen) {
         GuardReason::SensorFrozen);
 }
 
+TEST(Guard, AStraightDriveWithHardlyAnyTurnIsNotFrozen) {
+    Drive drive = moving();
+    drive.go(3.0, [&](Tick& tick) {
+        tick.report.omega_radps = 3e-5;
+        EXPECT_EQ(drive.verdict.action, GuardAction::Pass) << drive.verdict.why;
+    });
+}
+
 TEST(Guard, StopsWhenTheNavigatorHangs) {
     Drive drive = moving();
     const Halt stop = halt(drive, [](Tick& tick) { tick.proposal_comes = false; });

@@ -20,9 +20,10 @@ struct OdometryWatchParams {
     double jump_rad = 0.1;       ///< or turn, by this
     double silent_s = 0.5;       ///< without odometry, once there was some
     double hold_s = 1.0;         ///< a jump is remembered for so long
-    int frozen_fields = 4;       ///< in a row without any flow, while
-    double frozen_way_m = 0.02;  ///< the outline moves so far by the wheels
-    double still_radps = 1e-4;   ///< no flow at all is told by a turn below this
+    int frozen_fields = 3;       ///< in a row without any flow, while
+    double frozen_way_m = 0.01;  ///< the outline moves so far by the wheels
+    double still_radps = 1e-4;   ///< no flow is told by a turn below this; two of the fields
+    double alike_radps = 1e-7;   ///< are alike to the last digit, which noise never lets two images be
 };
 
 /// Whether flow and wheels tell the same motion.
@@ -67,6 +68,7 @@ class OdometryWatch {
     std::optional<SensorReport> last_;  ///< field
     std::optional<double> cycle_s_;     ///< when the running cycle began
     int still_fields_ = 0;              ///< in a row
+    int alike_fields_ = 0;              ///< among them
     double still_way_m_ = 0.0;          ///< of the outline meanwhile, by the wheels
     double jumped_s_ = -1e9;
     double newest_s_ = -1e9;  ///< odometry
