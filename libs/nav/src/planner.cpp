@@ -17,6 +17,7 @@ using mrpt::maps::COccupancyGridMap2D;
 
 constexpr std::array<std::array<int, 2>, 8> neighbours = {
     {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+constexpr float dear_factor = 1.5F;  // by which a short cut may be dearer than the path
 constexpr float unreached = std::numeric_limits<float>::infinity();
 
 struct Node {
@@ -115,14 +116,16 @@ float dearest(const CostMap& costs, const Vector2d& from_m, const Vector2d& to_m
 
 /// See Plan::way_point_m.
 Vector2d way_point(const CostMap& costs, const std::vector<Vector2d>& path_m, const Vector2d& from_m,
-                   double look_ahead_m) {
+                   const PlanParams& params) {
     Vector2d best = path_m.front();
     float dearest_of_path = costs.cost(costs.area().cell_of(from_m));
     double way_m = 0.0;
-    for (std::size_t i = 1; i < path_m.size() && way_m < look_ahead_m; ++i) {
+    for (std::size_t i = 1; i < path_m.size() && way_m < params.look_ahead_m; ++i) {
         way_m += (path_m[i] - path_m[i - 1]).norm();
         dearest_of_path = std::max(dearest_of_path, costs.cost(costs.area().cell_of(path_m[i])));
-        if (dearest(costs, from_m, path_m[i]) <= dearest_of_path) best = path_m[i];
+        const float allowed =
+            std::min(dear_factor * dearest_of_path, std::max(dearest_of_path, CostMap::closed / 2));
+        if (way_m <= params.look_near_m || dearest(costs, from_m, path_m[i]) <= allowed) best = path_m[i];
     }
     return best;
 }
@@ -138,7 +141,7 @@ Plan plan_once(const COccupancyGridMap2D& map, const Vector2d& from_m, const Vec
     Plan result;
     result.path_m = search.path();
     result.cost_m = search.cost_of(search.end());
-    result.way_point_m = way_point(costs, result.path_m, from_m, params.look_ahead_m);
+    result.way_point_m = way_point(costs, result.path_m, from_m, params);
     result.reaches_goal = search.reached_goal();
     return result;
 }

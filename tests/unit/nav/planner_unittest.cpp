@@ -119,6 +119,16 @@ TEST(Planner, TheWayPointStandsInSightRoundACorner) {
     EXPECT_GT(way.way_point_m.y(), 0.6);
 }
 
+TEST(Planner, TheWayPointIsAlwaysSomeWayAhead) {
+    COccupancyGridMap2D map = free_map();
+    for (double x = -2.0; x < 3.0; x += 0.5) fill(map, {x, 0.55}, {x + 0.1, 0.6}, occupied_cell);
+    for (double x = -1.75; x < 3.0; x += 0.5) fill(map, {x, -0.6}, {x + 0.1, -0.55}, occupied_cell);
+    for (double x = -1.5; x < 2.0; x += 0.07) {
+        const Vector2d from(x, 0.05 * std::sin(9.0 * x));
+        EXPECT_GT((plan_in(map, from, {3.0, 0.0}).way_point_m - from).norm(), 0.4) << x;
+    }
+}
+
 TEST(Planner, TheInscribedRadiusIsTheNearestEdge) {
     EXPECT_NEAR(inscribed_radius_m({{0.5, 0.2}, {-0.3, 0.2}, {-0.3, -0.2}, {0.5, -0.2}}), 0.2, 1e-12);
 }

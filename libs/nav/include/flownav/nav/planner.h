@@ -19,6 +19,7 @@ struct PlanParams {
     double p_surely_occupied = 0.25;  ///< only cells less likely free than this
     double area_margin_m = 6.0;       ///< how far beside start, goal and map a way may lead
     double area_max_m = 200.0;        ///< edge of the planned area
+    double look_near_m = 0.5;         ///< the way point is at least this far along the path
     double look_ahead_m = 1.6;        ///< of the way point that a local navigator is given
 };
 
