@@ -216,8 +216,10 @@ RunRow Scenario::run(Fault fault) {
     const DriveResult result = simulate_drive(drive, nobody);
     const RobotModel& robot = drive.config.navigation.robot;
     row.speed_mps = at.motion.v_mps;
+    // The first frozen image is a true one.
+    const double unknowable_s = fault == Fault::Frozen ? 1.0 / drive.camera.rate_hz : 0.0;
     row.allowed_s =
-        reaction_s + robot.delay_s + tick_s +
+        unknowable_s + reaction_s + robot.delay_s + tick_s +
         std::max(at.motion.v_mps / robot.brake_mps2, std::abs(at.motion.omega_radps) / robot.alpha_radps2);
     measure(result, plan, row);
     if (options_.explain) explain(result, plan);

@@ -13,7 +13,7 @@ struct SensorWatchParams {
     double ahead_s = 0.1;        ///< time stamps may be so far in the future
     double blind_s = 0.2;        ///< for so long there may be no field with a picture
     double lost_s = 0.4;         ///< for so long omega may be lost
-    double sector_s = 0.14;      ///< for so long a sector may be blind
+    double sector_s = 0.1;       ///< for so long a sector may be blind
     int confident_min = 20;      ///< vectors of a field, for less is blind
     double sector_share = 0.05;  ///< of the blocks of a sector, for less confident ones it is blind
 };
