@@ -14,13 +14,16 @@ using Eigen::Vector2d;
 
 constexpr double least_way_m = 0.02;
 constexpr double look_m = 3.0;
+// MRPT keeps nothing free at the sides of its paths; lanes do.
+constexpr double more_margin_m = 0.02;
+constexpr double stands_mps = 0.1;       // fast enough to turn on the spot
 constexpr double unseen_depth_m = 0.05;  // of the smallest patch of unseen ground that counts
 
 FreeWayParams free_way_of(const LaneParams& params) {
     FreeWayParams free_way;
     free_way.limits = params.limits;
     free_way.length_m = look_m;
-    free_way.margin_m = params.stop_margin_m;
+    free_way.margin_m = params.stop_margin_m + more_margin_m;
     free_way.bumper_m = params.bumper_m;
     free_way.unseen_area_m2 = params.unseen_area_m2;
     return free_way;
@@ -32,8 +35,9 @@ Caution::Caution(const RobotModel& robot, const LaneParams& params, double perio
     : robot_(robot),
       params_(params),
       free_way_(free_way_of(params)),
-      field_(robot.footprint_m, params.stop_margin_m + 0.05) {
+      field_(robot.footprint_m, params.stop_margin_m + 0.08) {
     params_.period_s = period_s;
+    params_.stop_margin_m += more_margin_m;
 }
 
 bool Caution::wants_to_turn(const Vector2d& waypoint_robot_m, const MotionCommand& motion) const {
@@ -41,6 +45,7 @@ bool Caution::wants_to_turn(const Vector2d& waypoint_robot_m, const MotionComman
 }
 
 Decision Caution::turn_to(const Situation& situation, const Vector2d& waypoint_robot_m) const {
+    if (std::abs(situation.motion.v_mps) > stands_mps) return {{}, 0.0, false, "stops to turn"};
     const double bearing = bearing_rad(waypoint_robot_m);
     for (const double angle : {bearing, bearing - std::copysign(2.0 * M_PI, bearing)}) {
         const MotionCommand command = turn_by(robot_, angle);
@@ -64,10 +69,11 @@ Decision Caution::limit(const Situation& situation, const MotionCommand& command
     };
     if (drives) {
         at_most(stoppable_speed_mps(robot_, way.occupied - params_.standoff_m), "slows for an obstacle");
-        if (way.unseen < way.occupied)
+        if (way.unseen < way.occupied) {
             at_most(std::max(params_.unseen_mps,
                              stoppable_speed_mps(robot_, way.unseen - params_.bumper_m - unseen_depth_m)),
                     "slows for unseen ground");
+        }
         const double share = v_mps / std::abs(command.v_mps);
         decision.command = {share * command.v_mps, share * command.omega_radps};
     }

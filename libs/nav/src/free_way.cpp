@@ -12,7 +12,8 @@ namespace {
 using Eigen::Vector2d;
 using mrpt::maps::COccupancyGridMap2D;
 
-constexpr double nearer_m = 0.008;
+constexpr double nearer_m = 0.003;  // accuracy of the footprint's raster
+constexpr double least_margin_m = 0.02;
 constexpr double under_m = 0.06;
 constexpr double still_mps = 0.01;  // slower is turning on the spot
 
@@ -25,7 +26,7 @@ class Walk {
           kinds_(kinds_of(map, params.limits)),
           counted_(kinds_.size(), 0),
           margin_m_(params.margin_m) {
-        margin_m_ = std::max(0.0, std::min(margin_m_, nearest_m() - nearer_m));
+        margin_m_ = std::min(margin_m_, std::max(least_margin_m, nearest_m() - nearer_m));
     }
 
     /// Whether the footprint touches an obstacle there; counts the unseen cells it comes to cover.

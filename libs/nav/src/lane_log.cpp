@@ -47,9 +47,10 @@ CLogFileRecord::TInfoPerPTG lanes_of(const LaneTables& tables, const LaneDecisio
     info.HLFR = std::make_shared<mrpt::nav::CLogFileRecord_VFF>();
     const auto lanes = static_cast<Eigen::Index>(decision.lanes.size());
     info.TP_Obstacles.resize(lanes);
-    for (Eigen::Index i = 0; i < lanes; ++i)
+    for (Eigen::Index i = 0; i < lanes; ++i) {
         info.TP_Obstacles[i] =
             static_cast<float>(decision.lanes[static_cast<std::size_t>(i)].free_m / tables.layout.length_m);
+    }
     if (decision.lane >= 0) {
         const LaneView& lane = decision.lanes[static_cast<std::size_t>(decision.lane)];
         info.desiredDirection = -M_PI + 2.0 * M_PI * (decision.lane + 0.5) / static_cast<double>(lanes);

@@ -45,7 +45,7 @@ class ReactiveNavigator : public Navigator {
     Decision decide(const Situation& situation, const Vector2d& waypoint_m) override {
         const Vector2d there = transform(inverse(situation.T_map_robot), waypoint_m);
         if (situation.obstacles_known && caution_.wants_to_turn(there, situation.motion)) {
-            const Decision turn = caution_.turn_to(situation, there);
+            Decision turn = caution_.turn_to(situation, there);
             if (!turn.stuck) return turn;
         }
         // MRPT knows no target beyond its range.

@@ -12,7 +12,8 @@ using Eigen::Vector2d;
 
 constexpr double step_s = 0.05;
 constexpr double longest_s = 10.0;  // any robot stands by then
-constexpr double nearer_m = 0.008;
+constexpr double nearer_m = 0.003;  // accuracy of the footprint's raster
+constexpr double least_margin_m = 0.02;
 constexpr double under_m = 0.06;
 
 double toward(double value, double target, double up, double down) {
@@ -45,7 +46,7 @@ double margin_here_m(const FootprintField& field, const std::vector<Vector2d>& o
         const double distance_m = field.distance_m(p);
         if (distance_m > -under_m) least_m = std::min(least_m, distance_m - nearer_m);
     }
-    return std::max(0.0, least_m);
+    return std::min(margin_m, std::max(least_margin_m, least_m));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double nearer_m = 0.008;  // by less the robot does not come nearer to what it stands beside
+constexpr double nearer_m = 0.004;  // by less the robot does not come nearer to what it stands beside
 constexpr double under_m = 0.06;    // cells deeper below the robot say nothing
 
 /// What is known of one cell while the robot goes along.
