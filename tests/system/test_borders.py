@@ -25,6 +25,7 @@ MAY_USE_MRPT = {"mapping", "sensor", "nav", "sim", "replay", "producer"}
 # Headers of others, and the linked target that brings them.
 LIBRARIES = {
     r"Eigen/": r"Eigen3::Eigen",
+    r"EGL/": r"OpenGL::EGL",
     r"GL/": r"OpenGL::OpenGL",
     r"mrpt/hwdrivers/": r"mrpt::hwdrivers",
     r"mrpt/": r"mrpt::\w+",

@@ -23,7 +23,7 @@ OF_PACKAGE = {
     "nanoflann": {"libnanoflann-dev"},
     "nlohmann_json": {"nlohmann-json3-dev"},
     "OpenCV": {"libopencv-dev"},
-    "OpenGL": {"libopengl-dev"},
+    "OpenGL": {"libopengl-dev", "libegl-dev"},
     "OpenMP": {"build-essential"},
     "sdformat12": {"libsdformat-dev"},
     "Python3": {"python3"},

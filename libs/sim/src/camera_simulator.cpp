@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "depth_rays.h"
+#include "egl_context.h"
 #include "image_effects.h"
 #include "lens.h"
 #include "world_scene.h"
@@ -91,6 +92,7 @@ struct CameraSimulator::Impl {
     CameraSimParams params;
     std::array<Lens, 2> lenses;  ///< of the two parities
     cv::Size size;               ///< of the renderer: holds both
+    EglContext context;          ///< outlives what uses OpenGL
     std::shared_ptr<WorldScene> meshes;
     mrpt::opengl::COpenGLScene scene;
     std::unique_ptr<CFBORender> renderer;
@@ -111,24 +113,20 @@ struct CameraSimulator::Impl {
         constexpr auto sky = static_cast<float>(sky_grey / 255.0);
         scene.getViewport()->setCustomBackgroundColor({sky, sky, sky});
         scene.getViewport()->setViewportClipDistances(near_m, far_m);
-        make_renderer();
+        CFBORender::Parameters parameters(static_cast<unsigned>(size.width),
+                                          static_cast<unsigned>(size.height));
+        parameters.create_EGL_context = false;
+        renderer = std::make_unique<CFBORender>(parameters);
     }
 
-    void make_renderer() {
-        try {
-            renderer = std::make_unique<CFBORender>(static_cast<unsigned>(size.width),
-                                                    static_cast<unsigned>(size.height));
-        } catch (const std::exception& error) {
-            throw std::runtime_error(
-                "simulated camera: cannot render without a display; install EGL and a driver (Debian: "
-                "libegl1 and libgl1-mesa-dri). What went wrong: " +
-                std::string(error.what()));
-        }
-    }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+    ~Impl() { context.make_current(); }
 
     /// What a pinhole sees, its lens and its supersampling undone.
     cv::Mat1b render(const Lens& lens, const CameraModel& camera, const Isometry3d& T_world_camera,
                      double time_s) {
+        context.make_current();
         meshes->look(pyramid(lens.pinhole, T_world_camera), time_s);
         renderer->setCamera(scene, to_mrpt(lens.pinhole, size, T_world_camera));
         renderer->render_RGB(scene, colours);
