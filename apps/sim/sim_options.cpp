@@ -19,6 +19,7 @@ using Text = TCLAP::ValueArg<std::string>;
 using Number = TCLAP::ValueArg<double>;
 
 constexpr double degree = M_PI / 180.0;
+constexpr double longest_s = 86400.0;
 
 /// The arguments as TCLAP sees them.
 struct Arguments {
@@ -100,14 +101,21 @@ std::optional<sim::TimedPath> path_of(Arguments& a, const Pose2& start) {
     const sim::PathSpeed speed{in_range(a.speed, 0.01, 5.0), in_range(a.turn, 0.1, 180.0) * degree};
     if (a.path.isSet()) {
         const auto given = a.speed.isSet() ? std::make_optional(speed) : std::nullopt;
-        return sim::read_path(a.path.getValue(), given);
+        sim::TimedPath path = sim::read_path(a.path.getValue(), given);
+        if (path.end_s() <= longest_s) return path;
+        throw sim::PathError(a.path.getValue() + ": lasts " + config::format_number(path.end_s()) +
+                             " s; a recording may last a day");
     }
     if (!a.script.isSet()) return std::nullopt;
     RobotModel robot;
     robot.v_max_mps = speed.v_mps;
     robot.v_back_mps = speed.v_mps;
     robot.omega_max_radps = 2 * speed.omega_radps;  // a script begins with half of it
-    return sim::drive_script(a.script.getValue(), robot, start);
+    try {
+        return sim::drive_script(a.script.getValue(), robot, start);
+    } catch (const sim::PathError& error) {
+        throw ConfigError(error.what());  // of the command line, not of a file
+    }
 }
 
 /// Value of a key of the camera: the option, the ini, or the default.

@@ -55,6 +55,7 @@ struct Hold {
 };
 
 constexpr double step_s = 0.001;
+constexpr double longest_s = 3600.0;
 
 double whole_steps(double duration_s) {
     return std::max(1.0, std::round(duration_s / step_s)) * step_s;
@@ -195,7 +196,11 @@ TimedPath drive_script(const std::string& script, const RobotModel& robot, const
     Vehicle vehicle(at_once, start);
     double begin_s = 0.0;
     std::vector<PathPoint> points{{0.0, start}};
-    for (const Hold& hold : driver.holds()) {
+    const std::vector<Hold> holds = driver.holds();
+    double lasts_s = 0.0;
+    for (const Hold& hold : holds) lasts_s += hold.duration_s;
+    if (!(lasts_s <= longest_s)) throw PathError("the script lasts longer than an hour");
+    for (const Hold& hold : holds) {
         vehicle.command(begin_s, hold.command);
         begin_s += hold.duration_s;
         while (points.back().time_s < begin_s - step_s / 2) {

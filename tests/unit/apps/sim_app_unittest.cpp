@@ -77,6 +77,7 @@ TEST(SimApp, BadUsageIsStatusOneAndSaysWhatIsWrong) {
         {{"--generate", "hall", "--fov-deg", "190", "--write-world", "o"}, "--fov-deg 190: must be 10..140"},
         {{"--generate", "hall", "--width", "3", "--write-world", "o"}, "--width 3"},
         {{"--generate", "hall", "--height-m", "99", "--write-world", "o"}, "camera.height_m"},
+        {{"--generate", "hall", "--script", "jump 1", "--output", "o"}, "\"jump 1\""},
         {{"--generate", "hall", "--unknown"}, "no option --unknown"},
     };
     for (const auto& [arguments, wrong] : cases) {
@@ -93,9 +94,6 @@ TEST(SimApp, AWorldOrPathThatCannotBeReadIsStatusTwo) {
     const std::string output = (folder / "o.rawlog").string();
     EXPECT_EQ(run({"/no/such.world", "--script", "wait 1", "--output", output}).status, 2);
     EXPECT_EQ(run({"--generate", "hall", "--path", "/no/such.csv", "--output", output}).status, 2);
-    const Outcome bad = run({"--generate", "hall", "--script", "jump 1", "--output", output});
-    EXPECT_EQ(bad.status, 2);
-    EXPECT_NE(bad.error.find("\"jump 1\""), std::string::npos) << bad.error;
     EXPECT_TRUE(fs::is_empty(folder));
 }
 

@@ -89,6 +89,8 @@ TEST(DriveScript, NamesTheStepThatGoesWrong) {
     };
     EXPECT_EQ(complaint(" ; "), "the script is empty");
     EXPECT_NE(complaint("forward 1; sideways 2").find("\"sideways 2\""), std::string::npos);
+    EXPECT_NE(complaint("forward 1e9").find("longer than an hour"), std::string::npos);
+    EXPECT_NE(complaint("left 1e300").find("longer than an hour"), std::string::npos);
     EXPECT_NE(complaint("forward x").find("x is not a number above 0"), std::string::npos);
     EXPECT_NE(complaint("forward -1").find("not a number above 0"), std::string::npos);
     EXPECT_NE(complaint("forward").find("needs one number"), std::string::npos);

@@ -13,7 +13,7 @@ namespace flownav::sim {
 /// exactly, lengths to a millimetre; speed and turn change at the limits of the model, as Vehicle does it, so
 /// that the place after a curve is that of one with soft ends. `speed` and `turn` hold for the steps that
 /// follow; at first they are v_max_mps and half of omega_max_radps. Throws PathError with the step that goes
-/// wrong.
+/// wrong, or when all of it would last longer than an hour.
 TimedPath drive_script(const std::string& script, const RobotModel& robot, const Pose2& start);
 
 }  // namespace flownav::sim
