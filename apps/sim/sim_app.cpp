@@ -29,6 +29,10 @@ std::string contact(const SimOptions& options, const Pose2& pose, double time_s)
     return clear.distance_m > 0.0 ? "" : clear.nearest;
 }
 
+void warn_of(const std::string& touched, double time_s, std::ostream& error) {
+    error << "flownav-sim: warning: after " << time_s << " s the path goes through " << touched << '\n';
+}
+
 void record(const SimOptions& options, Progress& progress, std::ostream& error) {
     DriveRecording recording(options.output);
     sim::CameraSimulator camera(options.world, options.camera);
@@ -47,10 +51,11 @@ void record(const SimOptions& options, Progress& progress, std::ostream& error) 
             recording.write_truth(field.timestamp_s, pose);
             recording.write(field);
         });
-        if (touched.empty() && !(touched = contact(options, pose, time_s)).empty())
-            error << "flownav-sim: warning: after " << time_s << " s the path goes through " << touched
-                  << '\n';
-        progress.update(static_cast<double>(i + 1) / images, static_cast<std::uint64_t>(i + 1));
+        if (touched.empty()) {
+            touched = contact(options, pose, time_s);
+            if (!touched.empty()) warn_of(touched, time_s, error);
+        }
+        progress.update(static_cast<double>(i + 1) / images, static_cast<std::uint64_t>(i) + 1U);
     }
     writing.get();
     recording.complete();
