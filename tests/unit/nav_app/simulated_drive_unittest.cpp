@@ -23,6 +23,9 @@ SimulatedDriveOptions round_a_post() {
     options.world.solids = {post(1.6, 0.05)};
     options.goals_m = {{3.0, 0.0}};
     options.sensor = SensorKind::Lidar;
+    options.lidar.beams = 91;
+    options.lidar.rate_hz = 10.0;
+    options.lidar.range_max_m = 4.0;
     options.config.map.resolution_m = 0.05;
     options.config.map.size_m = 8.0;
     options.timeout_s = 60.0;
