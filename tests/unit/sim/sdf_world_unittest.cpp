@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path file_with(const std::string& name, const std::string& text) {
-    const fs::path file = fs::path(::testing::TempDir()) / ("sdf_world_" + name + ".world");
+    fs::path file = fs::path(::testing::TempDir()) / ("sdf_world_" + name + ".world");
     std::ofstream(file) << text;
     return file;
 }

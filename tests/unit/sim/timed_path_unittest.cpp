@@ -10,7 +10,7 @@ namespace flownav::sim {
 namespace {
 
 std::filesystem::path file_with(const std::string& name, const std::string& text) {
-    const std::filesystem::path file =
+    std::filesystem::path file =
         std::filesystem::path(::testing::TempDir()) / ("timed_path_" + name + ".csv");
     std::ofstream(file) << text;
     return file;
