@@ -32,7 +32,7 @@ nav::Pilot make_pilot(const Config& config, const std::vector<Eigen::Vector2d>& 
                       const std::string& navlog_directory) {
     const NavigationParams& navigation = config.navigation;
     nav::NavigatorOptions navigator;
-    navigator.kind = static_cast<nav::NavigatorKind>(navigation.navigator);
+    navigator.kind = navigation.navigator;
     navigator.robot = navigation.robot;
     navigator.period_s = navigation.decide_every_s;
     navigator.map_size_m = config.map.size_m;

@@ -34,7 +34,8 @@ void add_floor(const CellFrame& frame, const Vector2d& near, const Vector2d& far
     for (int i = 0; i <= steps; ++i) {
         for (int k = 0; k <= side_steps; ++k) {
             const Vector2d p = near + along * share(i, steps) + across * (share(k, side_steps) - 0.5);
-            evidence.push_back({frame.cell_of(p), seen_floor});
+            const Evidence floor{frame.cell_of(p), seen_floor};
+            if (evidence.empty() || !(evidence.back() == floor)) evidence.push_back(floor);
         }
     }
 }

@@ -17,7 +17,7 @@ GuardParams patient_with(const NavigationParams& navigation, GuardParams guard) 
 Autopilot::Autopilot(const NavigationParams& navigation, const MapParams& map, const GuardParams& guard,
                      Pilot pilot, const Pose2& start)
     : params_(navigation),
-      pose_(start),
+      pose_(navigation.robot, start),
       local_(map),
       map_(map),
       pilot_(std::move(pilot)),

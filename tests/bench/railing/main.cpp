@@ -144,12 +144,18 @@ Figures run(const SimulatedDriveOptions& options, const std::string& name,
     figures.wheels_error_percent = error_percent(wheels, end, way_m);
     figures.flow_heading_deg = heading_error_deg(flow, end);
     figures.wheels_heading_deg = heading_error_deg(wheels, end);
-    Chart plan{"Way of the robot, " + name, "x (m)", "y (m)", {}};
+    Chart plan;
+    plan.title = "Way of the robot, " + name;
+    plan.x_label = "x (m)";
+    plan.y_label = "y (m)";
     plan.equal_scales = true;
     plan.series = {things(options.world, options.start), plan_of("wheels", wheels_colour, wheels),
                    plan_of("truth", truth_colour, truth), plan_of("optic flow", flow_colour, flow)};
     plan.series[3].dashed = true;
-    Chart heading{"Heading, " + name, "time (s)", "heading (deg)", {}};
+    Chart heading;
+    heading.title = "Heading, " + name;
+    heading.x_label = "time (s)";
+    heading.y_label = "heading (deg)";
     heading.series = {heading_of("wheels", wheels_colour, wheels), heading_of("truth", truth_colour, truth),
                       heading_of("optic flow", flow_colour, flow)};
     heading.series[2].dashed = true;

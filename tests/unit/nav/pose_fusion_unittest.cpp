@@ -5,6 +5,14 @@
 namespace flownav::nav {
 namespace {
 
+/// Drives as fast as the tests like.
+const RobotModel fast = [] {
+    RobotModel robot;
+    robot.v_max_mps = 10.0;
+    robot.omega_max_radps = 10.0;
+    return robot;
+}();
+
 void expect_near(const Pose2& a, const Pose2& b, double tolerance = 1e-9) {
     EXPECT_NEAR(a.x_m, b.x_m, tolerance);
     EXPECT_NEAR(a.y_m, b.y_m, tolerance);
@@ -12,13 +20,13 @@ void expect_near(const Pose2& a, const Pose2& b, double tolerance = 1e-9) {
 }
 
 TEST(PoseFusion, StartsAtTheStartWhateverTheWheelsHaveCounted) {
-    PoseFusion fusion({1.0, 2.0, 0.5});
+    PoseFusion fusion(fast, {1.0, 2.0, 0.5});
     fusion.odometry(0.0, {7.0, -3.0, 2.0});
     expect_near(fusion.now(), {1.0, 2.0, 0.5});
 }
 
 TEST(PoseFusion, WithoutFlowItFollowsTheWheels) {
-    PoseFusion fusion;
+    PoseFusion fusion(fast);
     fusion.odometry(0.0, {});
     fusion.odometry(0.1, {0.1, 0.02, 0.3});
     expect_near(fusion.now(), {0.1, 0.02, 0.3});
@@ -26,7 +34,7 @@ TEST(PoseFusion, WithoutFlowItFollowsTheWheels) {
 }
 
 TEST(PoseFusion, FlowReplacesWhatWheelsSayOfTheSameTime) {
-    PoseFusion fusion;
+    PoseFusion fusion(fast);
     for (int i = 0; i <= 10; ++i) {
         const double time_s = 0.1 * i;
         fusion.odometry(time_s, {0.12 * i, 0.0, -0.05 * i});  // slipping and skewed
@@ -35,17 +43,29 @@ TEST(PoseFusion, FlowReplacesWhatWheelsSayOfTheSameTime) {
     expect_near(fusion.now(), {1.0, 0.0, 0.0});
 }
 
+TEST(PoseFusion, AStepThatNoRobotCanMakeCountsAsNone) {
+    PoseFusion fusion{RobotModel()};  // 0.4 m/s
+    fusion.odometry(0.0, {});
+    fusion.odometry(0.1, {0.04, 0.0, 0.0});
+    fusion.odometry(0.2, {3.0, 1.0, 0.5});
+    expect_near(fusion.now(), {0.04, 0.0, 0.0});
+    fusion.odometry(0.3, {3.0 + 0.04 * std::cos(0.5), 1.0 + 0.04 * std::sin(0.5), 0.5});
+    expect_near(fusion.now(), {0.08, 0.0, 0.0});
+    fusion.odometry(0.4, {3.0, 1.0, 2.5});
+    EXPECT_NEAR(fusion.now().yaw_rad, 0.0, 1e-9);
+}
+
 TEST(PoseFusion, AJumpOfTheWheelsIsForgottenWithTheNextField) {
-    PoseFusion fusion;
+    PoseFusion fusion(fast);
     fusion.odometry(0.0, {});
     fusion.flow(0.0, Pose2{});
-    fusion.odometry(0.1, {5.0, 0.0, 1.0});
+    fusion.odometry(0.1, {1.4, 0.0, 1.0});
     fusion.flow(0.1, Pose2{0.04, 0.0, 0.0});
     expect_near(fusion.now(), {0.04, 0.0, 0.0});
 }
 
 TEST(PoseFusion, WhileTheFlowIsLostTheWheelsGoOn) {
-    PoseFusion fusion;
+    PoseFusion fusion(fast);
     for (int i = 0; i <= 4; ++i) {
         fusion.odometry(0.1 * i, {0.1 * i, 0.0, 0.0});
         const bool lost = i == 2;
@@ -55,7 +75,7 @@ TEST(PoseFusion, WhileTheFlowIsLostTheWheelsGoOn) {
 }
 
 TEST(PoseFusion, LateFlowCorrectsTheTimeItSpeaksOf) {
-    PoseFusion fusion;
+    PoseFusion fusion(fast);
     fusion.odometry(0.0, {});
     fusion.flow(0.0, Pose2{});
     fusion.odometry(0.1, {0.1, 0.0, 0.0});

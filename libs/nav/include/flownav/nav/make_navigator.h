@@ -3,16 +3,12 @@
 #include <memory>
 #include <string>
 
+#include "flownav/core/navigation_params.h"
 #include "flownav/nav/lanes.h"
 #include "flownav/nav/navigator.h"
 #include "flownav/nav/watchdog_sink.h"
 
 namespace flownav::nav {
-
-enum class NavigatorKind {
-    Lanes,     ///< circular lanes, CLaneNavigationSystem
-    Reactive,  ///< MRPT's CReactiveNavigationSystem
-};
 
 struct NavigatorOptions {
     NavigatorKind kind = NavigatorKind::Lanes;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "flownav/core/pose2.h"
+#include "flownav/core/robot_model.h"
 
 namespace flownav::nav {
 
@@ -12,10 +13,12 @@ namespace flownav::nav {
 /// `map`, whose origin is where the wheels' frame started.
 class PoseFusion {
   public:
-    /// `start`: pose of the robot in the map when the first odometry arrives.
-    explicit PoseFusion(const Pose2& start = {}) : T_map_odom_(start) {}
+    /// `start`: pose of the robot in the map when the first odometry arrives. `robot`: how fast it can move.
+    explicit PoseFusion(const RobotModel& robot, const Pose2& start = {})
+        : robot_(robot), T_map_odom_(start) {}
 
-    /// A pose of the wheels, in time order. The first one becomes the origin of their frame.
+    /// A pose of the wheels, in time order. The first one becomes the origin of their frame; a step that no
+    /// robot can make counts as none.
     void odometry(double time_s, const Pose2& T_odom_robot);
 
     /// Flow odometry of a field; empty: it could not measure. Times rise, at most a second behind the wheels.
@@ -31,8 +34,10 @@ class PoseFusion {
         Pose2 pose;
     };
 
+    bool is_possible(const Stamped& from, const Stamped& to) const;
     Pose2 wheels_at(double time_s) const;
 
+    RobotModel robot_;
     Pose2 T_map_odom_;
     std::optional<Pose2> T_wheels_odom_;  ///< origin of the wheels' own frame
     std::deque<Stamped> wheels_;          ///< of the last two seconds
