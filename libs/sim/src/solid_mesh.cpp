@@ -21,10 +21,16 @@ void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std
     mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
 }
 
-/// Sides of the polygon in a circle whose sides lie within `deviation_m` of it.
-int sides(double radius_m, double deviation_m) {
-    const double angle = std::acos(1.0 - std::min(deviation_m / radius_m, 0.5));
-    return std::clamp(static_cast<int>(std::ceil(M_PI / angle)), 16, 180);
+/// A polygon that lies as far outside a circle with its corners as inside with its sides.
+struct Polygon {
+    int sides = 0;
+    double corner_m = 0.0;  ///< from the middle to a corner
+};
+
+Polygon polygon(double radius_m, double deviation_m) {
+    const double angle = std::acos(1.0 - std::min(2 * deviation_m / radius_m, 0.5));
+    const int sides = std::clamp(static_cast<int>(std::ceil(M_PI / angle)), 16, 180);
+    return {sides, radius_m * 2.0 / (1.0 + std::cos(M_PI / sides))};
 }
 
 Mesh box_mesh(const Box& box) {
@@ -54,12 +60,13 @@ Mesh box_mesh(const Box& box) {
 }
 
 /// The flat end of a cylinder, a fan about its first vertex.
-void add_cap(Mesh& mesh, const Cylinder& cylinder, int n, double side) {
+void add_cap(Mesh& mesh, const Cylinder& cylinder, const Polygon& round, double side) {
+    const int n = round.sides;
     const double z = side * cylinder.length_m / 2;
     const std::uint32_t middle = add_vertex(mesh, {0, 0, z}, {side, side});
     for (int i = 0; i < n; ++i) {
         const double angle = side * 2 * M_PI * i / n;
-        const Vector2d at = cylinder.radius_m * Vector2d(std::cos(angle), std::sin(angle));
+        const Vector2d at = round.corner_m * Vector2d(std::cos(angle), std::sin(angle));
         add_vertex(mesh, {at.x(), at.y(), z}, at + Vector2d(side, side));
     }
     for (int i = 0; i < n; ++i) {
@@ -71,13 +78,14 @@ void add_cap(Mesh& mesh, const Cylinder& cylinder, int n, double side) {
 
 Mesh cylinder_mesh(const Cylinder& cylinder, double deviation_m) {
     Mesh mesh;
-    const int n = sides(cylinder.radius_m, deviation_m);
+    const Polygon round = polygon(cylinder.radius_m, deviation_m);
+    const int n = round.sides;
     const double half = cylinder.length_m / 2;
     std::uint32_t below = 0;
     std::uint32_t above = 0;
     for (int i = 0; i <= n; ++i) {
         const double angle = 2 * M_PI * i / n;
-        const Vector2d at = cylinder.radius_m * Vector2d(std::cos(angle), std::sin(angle));
+        const Vector2d at = round.corner_m * Vector2d(std::cos(angle), std::sin(angle));
         const double u = cylinder.radius_m * angle;
         const std::uint32_t low = add_vertex(mesh, {at.x(), at.y(), -half}, {u, -half});
         const std::uint32_t high = add_vertex(mesh, {at.x(), at.y(), half}, {u, half});
@@ -85,14 +93,15 @@ Mesh cylinder_mesh(const Cylinder& cylinder, double deviation_m) {
         below = low;
         above = high;
     }
-    add_cap(mesh, cylinder, n, 1.0);
-    add_cap(mesh, cylinder, n, -1.0);
+    add_cap(mesh, cylinder, round, 1.0);
+    add_cap(mesh, cylinder, round, -1.0);
     return mesh;
 }
 
 Mesh sphere_mesh(const Sphere& sphere, double deviation_m) {
     Mesh mesh;
-    const int n = sides(sphere.radius_m, deviation_m);
+    const Polygon round = polygon(sphere.radius_m, deviation_m);
+    const int n = round.sides;
     const int rings = (n + 1) / 2;
     for (int ring = 0; ring <= rings; ++ring) {
         const double latitude = M_PI * ring / rings - M_PI / 2;
@@ -102,7 +111,7 @@ Mesh sphere_mesh(const Sphere& sphere, double deviation_m) {
                               std::sin(latitude));
             // Lengths along the equator shrink with the latitude, as those of the surface do.
             const double u = (angle - M_PI) * std::cos(latitude);
-            add_vertex(mesh, sphere.radius_m * at, sphere.radius_m * Vector2d(u, latitude));
+            add_vertex(mesh, round.corner_m * at, sphere.radius_m * Vector2d(u, latitude));
         }
     }
     const auto index = [&](int ring, int i) { return static_cast<std::uint32_t>(ring * (n + 1) + i); };

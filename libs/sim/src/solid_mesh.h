@@ -19,8 +19,8 @@ struct Mesh {
     std::vector<std::uint32_t> indices;
 };
 
-/// The surface of a shape in its own frame, in flat pieces that lie less than `deviation_m` inside the round
-/// surface.
+/// The surface of a shape in its own frame, in flat pieces within `deviation_m` of the round surface: their
+/// middles inside, their corners outside, so that things are seen in their true size.
 Mesh mesh_of(const Shape& shape, double deviation_m);
 
 }  // namespace flownav::sim

@@ -13,9 +13,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double fine_m = 0.0001;         ///< deviation of round things seen from nearby
+constexpr double fine_m = 0.0002;         ///< deviation of round things seen from nearby
 constexpr double coarse_m = 0.0006;       ///< and from farther than coarse_from_m
-constexpr double coarse_from_m = 4.0;     ///< where that is a tenth of a pixel
+constexpr double coarse_from_m = 2.5;     ///< where that is a tenth of a pixel
 constexpr double floor_beyond_m = 150.0;  ///< of the outermost thing
 
 /// Where a solid's piece of its tile begins: things of one surface share a tile and differ in that.
