@@ -18,7 +18,7 @@ enum class WorldKind {
 const char* to_string(WorldKind kind);
 
 /// Draws a world. The same kind and seed give the same world. Everything is textured; start and goal are set,
-/// 9 to 15 m apart, and a way between them keeps 0.45 m off everything that stands lower than 1 m. The start
+/// 8 to 15 m apart, and a way between them keeps 0.45 m off everything that stands lower than 1 m. The start
 /// faces where there is room.
 World generate_world(WorldKind kind, std::uint64_t seed);
 
