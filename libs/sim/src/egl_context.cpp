@@ -62,7 +62,7 @@ EGLConfig choose_config(EGLDisplay display) {
 }  // namespace
 
 EglContext::EglContext() : display_(open_display()) {
-    const EGLConfig config = choose_config(display_);
+    EGLConfig config = choose_config(display_);
     if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) fail("no OpenGL");
     context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, nullptr);
     if (context_ == EGL_NO_CONTEXT) fail("no context");

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ struct Optics {
     bool interlaced = false;
     int image = 0;
 };
+
+void PrintTo(const Optics& optics, std::ostream* out) {
+    *out << optics.name;
+}
 
 CameraModel tilted_camera() {
     CameraModel camera = testing::standard_camera(320, 240);
