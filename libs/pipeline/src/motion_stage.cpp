@@ -60,6 +60,23 @@ bool worn_out(Impl& s) {
     return s.failures >= failures_max || (ok && 2 * motion.inliers < s.first_inliers);
 }
 
+/// A rotation can be seen far away while the near floor moves so much faster than predicted that no window
+/// finds it, and then goes on not to be found. Looks for it with the first image of a cycle, whose flow is
+/// the shortest; s.measured holds it afterwards, or what it held before.
+void look_for_speed(Impl& s, const MeasureContext& context, double since_last_s) {
+    if (s.measured.estimate.motion.forward_measured || !s.cycle.empty()) return;
+    MotionPrediction known;
+    known.omega_rad = s.measured.estimate.motion.omega_rad;
+    known.pitch_rad = s.measured.estimate.motion.pitch_rad;
+    known.omega_tolerance_rad = turn_change_radps2 * since_last_s * since_last_s;
+    known.forward_m = s.measured.estimate.motion.forward_m;
+    known = search_travel(s.reference, s.newest, s.coarse_layout, known, context, s.trial);
+    known.chord_rad = chord_direction(s.cycle, known.omega_rad);
+    measure(s.reference, s.newest, s.layout, known, context, s.trial);
+    if (s.trial.estimate.motion.forward_measured && credible(s, s.trial, since_last_s))
+        std::swap(s.trial, s.measured);
+}
+
 }  // namespace
 
 MotionPrediction predict(const Impl& s, double since_last_s) {
@@ -79,7 +96,10 @@ MotionPrediction predict(const Impl& s, double since_last_s) {
 bool measure_newest(Impl& s, const MotionPrediction& prediction, double since_last_s) {
     const MeasureContext context{s.params, s.matcher};
     measure(s.reference, s.newest, s.layout, prediction, context, s.measured);
-    if (credible(s, s.measured, since_last_s)) return true;
+    if (credible(s, s.measured, since_last_s)) {
+        look_for_speed(s, context, since_last_s);
+        return true;
+    }
     MotionPrediction found =
         search_motion(s.reference, s.newest, s.coarse_layout, prediction, context, s.trial);
     found.chord_rad = chord_direction(s.cycle, found.omega_rad);

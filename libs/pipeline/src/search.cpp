@@ -22,6 +22,7 @@ struct Extent {
 };
 constexpr Extent full_extent{6, 4};
 constexpr Extent quarter_extent{3, 3};
+constexpr int travels_back = 1;
 
 /// Turn that moves the image centre by one window step.
 double turn_step_rad(const CameraModel& camera) {
@@ -126,6 +127,23 @@ MotionPrediction search_motion(const HeldField& reference, const HeldField& newe
     trials.slide_windows(full_extent);
     trials.measure_from(search_quartered(reference, newest, layout.size(), context));
     return trials.best;
+}
+
+MotionPrediction search_travel(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
+                               const MotionPrediction& known, const MeasureContext& context, Measurement& m) {
+    MotionPrediction best = known;
+    int best_support = 0;
+    const double travel_m = travel_step_m(reference);
+    for (int k = -travels_back; k <= full_extent.travels; ++k) {
+        MotionPrediction start = known;
+        start.forward_m = k * travel_m;
+        measure(reference, newest, layout, start, context, m);
+        const EgoMotion& found = m.estimate.motion;
+        if (!found.forward_measured || found.ground_window <= best_support) continue;
+        best_support = found.ground_window;
+        best.forward_m = found.forward_m;
+    }
+    return best;
 }
 
 }  // namespace flownav::pipeline

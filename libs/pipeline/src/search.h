@@ -12,4 +12,9 @@ MotionPrediction search_motion(const HeldField& reference, const HeldField& newe
                                const MotionPrediction& prediction, const MeasureContext& context,
                                Measurement& m);
 
+/// Finds a travel that is far from the predicted one, for a rotation that is known: by windows slid along e.
+/// Returns `known` with the travel that most of the floor agrees with, or with its own where none is found.
+MotionPrediction search_travel(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
+                               const MotionPrediction& known, const MeasureContext& context, Measurement& m);
+
 }  // namespace flownav::pipeline

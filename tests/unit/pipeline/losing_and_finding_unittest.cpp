@@ -54,6 +54,22 @@ TEST(LosingAndFinding, AJumpOfTheSpeedIsRightInTheFirstImageOfItsCycle) {
     expect_right(testing::run(render_fields(scene)).back(), 1.2, 0.0);
 }
 
+TEST(LosingAndFinding, ASpeedTooFastForTheWindowsIsFoundThoughTheTurnIsKnown) {
+    // A wide lens near the floor: the turn is plain to see far away, the near floor moves by 25 px.
+    testing::DriveOptions options;
+    options.kind = testing::SceneKind::Straight;
+    options.images = 4;
+    options.v_mps = 1.6;
+    options.camera.fx_px = options.camera.fy_px = 320.0;
+    options.camera.mount.height_m = 0.5;
+    options.camera.mount.pitch_rad = 18 * M_PI / 180;
+    const auto steps = testing::run(render_fields(testing::drive(options)));
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+        expect_right(steps[i], 1.6, 0.0);
+        EXPECT_TRUE(steps[i].motion.forward_measured) << i;
+    }
+}
+
 TEST(LosingAndFinding, AColdStartIntoAFastTurnIsRightAtOnce) {
     const auto scene = drive_with(2, [](int) { return std::pair(0.8, 100.0); });
     expect_right(testing::run(render_fields(scene)).back(), 0.8, 100.0);
