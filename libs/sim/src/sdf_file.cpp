@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <iostream>
-#include <regex>
 #include <sdf/Element.hh>
 #include <sdf/ParserConfig.hh>
 #include <sdf/parser.hh>
@@ -56,11 +56,13 @@ class CaughtMessages {
 
     /// The first message, without colours and places in the library.
     std::string first() const {
-        static const std::regex mark("\x1b\\[[0-9;]*m|^[A-Z][a-z]+ \\[[^\\]]*\\]");
         std::istringstream lines(text_.str());
         std::string line;
         std::getline(lines, line);
-        line = std::regex_replace(std::regex_replace(line, mark, ""), mark, "");
+        for (auto colour = line.find('\x1b'); colour != std::string::npos; colour = line.find('\x1b'))
+            line.erase(colour, std::min(line.find('m', colour), line.size() - 1) - colour + 1);
+        const auto place = line.find(" [");  // "Error [Param.cc:42] ..."
+        if (place != std::string::npos && line.find(' ') == place) line.erase(0, line.find(']') + 1);
         return line.substr(std::min(line.size(), line.find_first_not_of(' ')));
     }
 
@@ -76,9 +78,13 @@ class CaughtMessages {
 
 /// The library says the line of broken XML in its console message only.
 std::optional<int> line_in(const std::string& message) {
-    std::smatch found;
-    if (!std::regex_search(message, found, std::regex("[Ll]ine number=(\\d+)"))) return std::nullopt;
-    return std::stoi(found[1]);
+    const std::string mark = "ine number=";
+    const auto at = message.find(mark);
+    int line = 0;
+    const char* const first = message.data() + (at == std::string::npos ? 0 : at + mark.size());
+    const auto read = std::from_chars(first, message.data() + message.size(), line);
+    if (at == std::string::npos || read.ec != std::errc()) return std::nullopt;
+    return line;
 }
 
 void check_exists(const std::filesystem::path& file) {
