@@ -35,6 +35,7 @@ The simulated camera; its height, pitch and place are camera.height_m, camera.pi
   --rate HZ                images per second, default 25
   --noise GREY             standard deviation of its noise, default 2
   --vibration-deg D        standard deviation of its pitch, default 0
+  --supersampling N        samples a pixel in either direction, 1..4, default 2; 1 takes a third of the time
   --plain-objects          nothing but the floor has texture
 
 What is kept

@@ -107,6 +107,7 @@ struct Arguments {
     Number rate{"", "rate", "", false, 25.0, "HZ", command};
     TCLAP::SwitchArg interlaced{"", "interlaced", "", command};
     Number noise{"", "noise", "", false, 2.0, "GREY", command};
+    TCLAP::ValueArg<int> supersampling{"", "supersampling", "", false, 2, "N", command};
     Number vibration{"", "vibration-deg", "", false, 0.0, "D", command};
     TCLAP::SwitchArg plain_objects{"", "plain-objects", "", command};
     Text output{"", "output", "", false, "", "DIR", command};
@@ -156,6 +157,7 @@ sim::CameraSimParams make_camera(Arguments& a, const CameraConfig& config) {
     camera.mount.forward_m = config.forward_m.value_or(0.0);
     camera.mount.left_m = config.left_m.value_or(0.0);
     params.rate_hz = pal && !a.rate.isSet() ? 50.0 : in_range(a.rate, 1.0, 200.0);
+    params.supersampling = in_range(a.supersampling, 1, 4);
     params.effects.noise_sigma = in_range(a.noise, 0.0, 50.0);
     params.effects.pitch_vibration_deg = in_range(a.vibration, 0.0, 5.0);
     params.effects.seed = a.seed.getValue();

@@ -17,11 +17,12 @@ using fidelity::cell;
 constexpr auto help =
     R"(Drives through fields of posts in rendered worlds and compares the sensor with the exact truth.
 
-flownav-sensor-bench [--section NAME]... [--seeds N] [--seconds S] [--set section.key=value]...
+flownav-sensor-bench [--section NAME]... [--first N] [--seeds N] [--seconds S] [--set section.key=value]...
 
   --section NAME      lens, pictures, mount, speed, turn, look or settings; all of them without it
+  --first N           seed of the first post field (default 11: the settings were chosen on field 1)
   --seeds N           post fields of each case (default 2)
-  --seconds S         of each drive (default 14)
+  --seconds S         of each drive (default 12)
   --set key=value     one setting, as for flownav-replay, on top of the recommended ones; may be repeated
   --help, --version   print this text, or the version, and exit
 
@@ -76,8 +77,9 @@ void set_all(Config& config, const Settings& settings) {
 struct Arguments {
     TCLAP::CmdLine command{"", ' ', "1"};
     TCLAP::MultiArg<std::string> section{"", "section", "", false, "NAME", command};
+    TCLAP::ValueArg<int> first{"", "first", "", false, 11, "N", command};
     TCLAP::ValueArg<int> seeds{"", "seeds", "", false, 2, "N", command};
-    TCLAP::ValueArg<double> seconds{"", "seconds", "", false, 14.0, "S", command};
+    TCLAP::ValueArg<double> seconds{"", "seconds", "", false, 12.0, "S", command};
     TCLAP::MultiArg<std::string> set{"", "set", "", false, "section.key=value", command};
 };
 
@@ -99,7 +101,8 @@ bool same_pictures(const Section& section) {
 
 void print_section(const Section& section, Arguments& arguments, const Config& base) {
     std::vector<Score> scores(section.cases.size());
-    for (int seed = 1; seed <= arguments.seeds.getValue(); ++seed) {
+    const int first = arguments.first.getValue();
+    for (int seed = first; seed < first + arguments.seeds.getValue(); ++seed) {
         RecordedDrive drive;
         for (std::size_t i = 0; i < section.cases.size(); ++i) {
             const Case& one = section.cases[i];
@@ -134,8 +137,9 @@ std::vector<Section> sections_of(Arguments& arguments) {
 
 int run(Arguments& arguments) {
     try {
-        if (arguments.seeds.getValue() < 1 || !(arguments.seconds.getValue() >= 2.0))
-            throw ConfigError("--seeds must be at least 1, --seconds at least 2");
+        if (arguments.first.getValue() < 0 || arguments.seeds.getValue() < 1 ||
+            !(arguments.seconds.getValue() >= 2.0))
+            throw ConfigError("--first must be at least 0, --seeds at least 1, --seconds at least 2");
         const Config base = base_config(arguments);
         for (const Section& section : sections_of(arguments)) print_section(section, arguments, base);
     } catch (const ConfigError& error) {

@@ -17,7 +17,7 @@ const char* to_string(PostLook look);
 struct DriveOptions {
     double speed_mps = 0.8;
     double turn_radps = 0.3;
-    double seconds = 16.0;
+    double seconds = 12.0;
     PostLook look = PostLook::Textured;
     sim::Surface floor = sim::Surface::Carpet;
     double post_height_m = 0.5;  ///< over the ground
