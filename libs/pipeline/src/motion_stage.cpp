@@ -143,8 +143,8 @@ void publish_motion(Impl& s, double since_last_s) {
     out.omega_radps = (out.motion.omega_rad - before.omega_rad) / since_measured_s;
     out.pitch_rate_radps = (out.motion.pitch_rad - before.pitch_rad) / since_measured_s;
     out.v_mps = out.motion.forward_m / seconds_since_reference(s);
-    out.cycle_images =
-        s.rates.v_known ? plan_cycle(s.params.rate, out.v_mps * since_last_s) : blind_cycle_images;
+    out.cycle_images = s.rates.v_known ? plan_cycle(s.params.rate, out.v_mps * since_last_s, since_last_s)
+                                       : blind_cycle_images;
     const bool complete = out.image_of_cycle >= out.cycle_images && out.status == FieldStatus::Ok;
     out.end_of_cycle = worn_out(s) || complete;  // an image that could not be compared is no good reference
     out.v_measured = out.motion.forward_measured && out.end_of_cycle;

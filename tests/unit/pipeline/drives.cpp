@@ -11,6 +11,7 @@ Scene drive(const DriveOptions& options) {
     scene_options.kind = options.kind;
     scene_options.seed = 4;
     scene_options.images = options.images;
+    scene_options.rate_hz = options.rate_hz;
     scene_options.interlaced = options.interlaced;
     scene_options.floor = options.floor;
     scene_options.camera = options.camera;

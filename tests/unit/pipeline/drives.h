@@ -14,12 +14,13 @@ struct DriveOptions {
     int images = 6;
     double v_mps = 0.4;
     double omega_degps = 0.0;
+    double rate_hz = 25.0;
     bool interlaced = false;
     Surface floor = Surface::Carpet;
     CameraModel camera = standard_camera();
 };
 
-/// The scene of such a drive: images of 25 Hz with noise.
+/// The scene of such a drive: images with noise.
 Scene drive(const DriveOptions& options);
 
 std::vector<Field> render_fields(const Scene& scene);

@@ -58,6 +58,18 @@ TEST(ObstaclesOfFields, FreeFloorHasNoneAndItsFloorIsConfirmed) {
     EXPECT_EQ(points, 0);
 }
 
+TEST(ObstaclesOfFields, ACrawlingRobotWithAFastCameraSeesTheFloorAhead) {
+    DriveOptions options;
+    options.images = 52;
+    options.v_mps = 0.1;
+    options.rate_hz = 50.0;
+    double farthest_m = 0.0;
+    for (const Step& step : testing::run(render_fields(testing::drive(options)))) {
+        for (const GroundPatch& patch : step.ground) farthest_m = std::max(farthest_m, patch.far_m.x());
+    }
+    EXPECT_GT(farthest_m, 1.3);
+}
+
 TEST(ObstaclesOfFields, GroundPatchesLieOnFreeFloor) {
     DriveOptions options;
     options.kind = testing::SceneKind::Straight;
