@@ -49,17 +49,6 @@ Chart plan(const std::string& title) {
     return chart;
 }
 
-/// The chart as a file of its own.
-std::string standalone(const Chart& chart) {
-    std::string svg = svg_chart(chart);
-    constexpr auto style =
-        "<style>text{font:12px sans-serif;fill:#222}.grid{stroke:#ddd}.axis{stroke:#444}.curve{fill:none}"
-        "</style>\n<rect width='100%' height='100%' fill='white'/>\n";
-    if (svg.find("xmlns") == std::string::npos)
-        svg.insert(svg.find("<svg") + 4, " xmlns='http://www.w3.org/2000/svg'");
-    return svg.insert(svg.find('>') + 1, style) + '\n';
-}
-
 }  // namespace
 
 std::string paths_picture(const DriveRecord& drive) {
@@ -68,7 +57,7 @@ std::string paths_picture(const DriveRecord& drive) {
                     {"truth", "#222222", {every_fourth(drive.truth_m)}, false, 3.0},
                     {"wheel odometry", "#d95f02", {every_fourth(drive.odometry_m)}, true, 1.5},
                     {"flow odometry", "#1b9e77", {every_fourth(drive.flow_m)}, false, 1.5}};
-    return standalone(chart);
+    return svg_file(chart);
 }
 
 std::string points_picture(const DriveRecord& drive) {
@@ -78,7 +67,7 @@ std::string points_picture(const DriveRecord& drive) {
     for (std::size_t i = 0; i < drive.points.size(); i += step)
         dots.pieces.push_back({drive.points[i].in_world_m});
     chart.series = {things(drive.world), dots, {"path", "#222222", {every_fourth(drive.truth_m)}, true, 1.0}};
-    return standalone(chart);
+    return svg_file(chart);
 }
 
 }  // namespace flownav::fidelity

@@ -231,4 +231,14 @@ std::string svg_chart(const Chart& chart) {
     return svg + legend(chart) + "</svg>\n";
 }
 
+std::string svg_file(const Chart& chart) {
+    std::string svg = svg_chart(chart);
+    constexpr auto style =
+        "<style>text{font:12px sans-serif;fill:#222}.grid{stroke:#ddd}.axis{stroke:#444}.curve{fill:none}"
+        "</style>\n<rect width='100%' height='100%' fill='white'/>\n";
+    if (svg.find("xmlns") == std::string::npos)
+        svg.insert(svg.find("<svg") + 4, " xmlns='http://www.w3.org/2000/svg'");
+    return svg.insert(svg.find('>') + 1, style) + '\n';
+}
+
 }  // namespace flownav

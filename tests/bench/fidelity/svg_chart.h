@@ -30,6 +30,9 @@ struct Chart {
 /// The chart as an <svg> element for a web page; labels and legend included. Says so when there are no data.
 std::string svg_chart(const Chart& chart);
 
+/// The chart as a picture file of its own, on white.
+std::string svg_file(const Chart& chart);
+
 /// At most about `most` points of a piece, keeping lowest and highest of what is merged, so that no spike is
 /// lost.
 std::vector<Eigen::Vector2d> thinned(const std::vector<Eigen::Vector2d>& piece, std::size_t most);

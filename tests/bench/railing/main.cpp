@@ -159,8 +159,8 @@ Figures run(const SimulatedDriveOptions& options, const std::string& name,
     heading.series = {heading_of("wheels", wheels_colour, wheels), heading_of("truth", truth_colour, truth),
                       heading_of("optic flow", flow_colour, flow)};
     heading.series[2].dashed = true;
-    write_file(folder / ("railing-" + name + "-way.svg"), svg_chart(plan));
-    write_file(folder / ("railing-" + name + "-heading.svg"), svg_chart(heading));
+    write_file(folder / ("railing-" + name + "-way.svg"), svg_file(plan));
+    write_file(folder / ("railing-" + name + "-heading.svg"), svg_file(heading));
     return figures;
 }
 
