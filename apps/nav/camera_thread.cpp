@@ -9,9 +9,11 @@
 
 namespace flownav {
 
-nav::Sensed sensed_of(const pipeline::Step& step, const CameraModel& camera, double epoch_s) {
+nav::Sensed sensed_of(const pipeline::Step& step, const Field& field, pipeline::RepeatedImages& images,
+                      double epoch_s) {
     nav::Sensed sensed;
-    sensed.report = pipeline::sensor_report(step, camera);
+    sensed.report = pipeline::sensor_report(step, field.camera);
+    sensed.report.repeated = images.is_repeated(field.image);
     sensed.report.timestamp_s -= epoch_s;
     if (step.status == FieldStatus::Ok) sensed.T_start_robot = step.T_start_robot;
     if (step.end_of_cycle) {
@@ -41,12 +43,13 @@ std::string CameraThread::end() {
 
 void CameraThread::run() {
     pipeline::State state = make_state(fields_.settings().config);
+    pipeline::RepeatedImages images;
     while (!stops_) {
         const auto event = fields_.next();
         if (!event) break;
         const auto* field = std::get_if<Field>(&*event);
         if (!field) continue;
-        nav::Sensed sensed = sensed_of(pipeline::step(state, *field), field->camera);
+        nav::Sensed sensed = sensed_of(pipeline::step(state, *field), *field, images);
         const std::lock_guard lock(mutex_);
         arrived_.push_back(std::move(sensed));
     }

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <thread>
 
+#include "flownav/pipeline/repeated_images.h"
 #include "flownav/producer/live_fields.h"
 #include "robot_drive.h"
 
@@ -30,7 +31,8 @@ class CameraThread : public SensorFeed {
     std::thread thread_;  ///< last: starts when all else is there
 };
 
-/// What a field's record says, for the autopilot; times less `epoch_s`.
-nav::Sensed sensed_of(const pipeline::Step& step, const CameraModel& camera, double epoch_s = 0.0);
+/// What a field's record says, for the autopilot; times less `epoch_s`. `images`: fed with every field.
+nav::Sensed sensed_of(const pipeline::Step& step, const Field& field, pipeline::RepeatedImages& images,
+                      double epoch_s = 0.0);
 
 }  // namespace flownav

@@ -123,7 +123,7 @@ class Drive {
             }
             const pipeline::Step& step = pipeline::step(state_, field);
             observer_.on_field(field, step);
-            send(time_s, sensed_of(step, field.camera, epoch_s));
+            send(time_s, sensed_of(step, field, images_, epoch_s));
         }
     }
 
@@ -152,8 +152,7 @@ class Drive {
             autopilot_.sensed(arriving_.front().sensed);
             arriving_.pop_front();
         }
-        const bool hangs = options_.faults.navigator_hangs && options_.faults.navigator_hangs(time_s);
-        const MotionCommand command = autopilot_.command(time_s, hangs);
+        const MotionCommand command = autopilot_.command(time_s, options_.faults.navigator);
         vehicle_.command(time_s, command);
         note(time_s, odometry, command);
         judge(time_s);
@@ -217,6 +216,7 @@ class Drive {
     sim::Vehicle vehicle_;
     sim::WheelOdometry wheels_;
     std::optional<sim::CameraSimulator> camera_;
+    pipeline::RepeatedImages images_;
     pipeline::State state_;
     nav::Autopilot autopilot_;
     std::deque<Arriving> arriving_;

@@ -27,7 +27,7 @@ struct DriveFaults {
     std::function<std::optional<Field>(const Field&)> field;  ///< altered, or empty: dropped
     std::function<double(double time_s)> field_delay_s;       ///< added to the sensor's latency
     std::function<Pose2(double time_s, const Pose2&)> odometry;
-    std::function<bool(double time_s)> navigator_hangs;
+    nav::Autopilot::Tamper navigator;  ///< what it proposes instead; empty: it hangs
 };
 
 struct SimulatedDriveOptions {

@@ -31,7 +31,7 @@ void Autopilot::odometry(double time_s, const Pose2& T_odom_robot, const MotionC
 
 void Autopilot::sensed(const Sensed& sensed) {
     const double time_s = sensed.report.timestamp_s;
-    pose_.flow(time_s, sensed.T_start_robot);
+    if (!sensed.report.repeated) pose_.flow(time_s, sensed.T_start_robot);
     if (sensed.by_camera) guard_.sensed(sensed.report);
     if (!sensed.report.end_of_cycle) return;
     const Pose2 T_map_robot = pose_.at(time_s);
@@ -46,22 +46,22 @@ void Autopilot::sensed(const Sensed& sensed) {
     guard_.mapped(local_.grid(), time_s, T_map_robot);
 }
 
-MotionCommand Autopilot::command(double time_s, bool navigator_hangs) {
-    just_decided_ =
-        !navigator_hangs && (!decided_s_ || time_s - *decided_s_ >= params_.decide_every_s - 1e-6);
-    if (just_decided_) decide(time_s);
+MotionCommand Autopilot::command(double time_s, const Tamper& tamper) {
+    just_decided_ = !decided_s_ || time_s - *decided_s_ >= params_.decide_every_s - 1e-6;
+    if (just_decided_) decide(time_s, tamper);
     verdict_ = guard_.judge(time_s, pose_.now(), motion_);
     return verdict_.command;
 }
 
-void Autopilot::decide(double time_s) {
+void Autopilot::decide(double time_s, const Tamper& tamper) {
     decided_s_ = time_s;
     local_.redraw(pose_.now());
     const bool blind = verdict_.action == GuardAction::Stop && verdict_.reason > GuardReason::ObstacleAhead &&
                        verdict_.reason < GuardReason::NavigatorSilent;
     const Situation situation{time_s, pose_.now(), motion_, &local_.grid(), !blind};
     decision_ = pilot_.decide(situation, map_.grid());
-    guard_.proposed(time_s, decision_.command);
+    const auto proposal = tamper ? tamper(time_s, decision_.command) : decision_.command;
+    if (proposal) guard_.proposed(time_s, *proposal);
 }
 
 }  // namespace flownav::nav

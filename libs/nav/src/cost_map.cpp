@@ -34,6 +34,24 @@ float cost_of(float p_free, double distance_m, double closed_m, const PlanParams
     return static_cast<float>(cost + params.unknown_cost * unseen);
 }
 
+/// Makes the places to avoid dearer.
+void add_avoidance(const CellArea& area, const PlanParams& params, cv::Mat& cost) {
+    const int reach = static_cast<int>(std::ceil(params.avoid_radius_m / area.cell_m));
+    for (const Vector2d& place_m : params.avoid_m) {
+        const Vector2i middle = area.cell_of(place_m);
+        for (int dy = -reach; dy <= reach; ++dy) {
+            for (int dx = -reach; dx <= reach; ++dx) {
+                const Vector2i cell = middle + Vector2i(dx, dy);
+                const bool near = (area.middle_of(cell) - place_m).norm() < params.avoid_radius_m;
+                if (!near || !area.contains(cell)) continue;
+                float& value = cost.at<float>(cell.y(), cell.x());
+                if (value >= CostMap::closed) continue;
+                value = std::min(value + static_cast<float>(params.avoid_cost), CostMap::closed - 1.0F);
+            }
+        }
+    }
+}
+
 }  // namespace
 
 CostMap::CostMap(const COccupancyGridMap2D& map, const CellArea& area, const RobotModel& robot,
@@ -51,6 +69,7 @@ CostMap::CostMap(const COccupancyGridMap2D& map, const CellArea& area, const Rob
                 cost_of(p_free.at<float>(row, column), distance_m, closed_m, params);
         }
     }
+    add_avoidance(area_, params, cost_);
 }
 
 CellArea area_around(const COccupancyGridMap2D& map, const Vector2d& from_m, const Vector2d& goal_m,

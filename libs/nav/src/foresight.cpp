@@ -15,6 +15,8 @@ constexpr double outline_step_m = 0.05;
 constexpr double inside_cells = 0.75;
 constexpr double hurry = 1.5;  // a robot may be this much faster than its model
 constexpr double rounding_m = 1e-7;
+constexpr double inexact_m =
+    0.06;  // by which a map may show something inside the robot that stands before it
 
 /// Points all along the outline, a little inside, where the cells below the robot are driven over.
 std::vector<Vector2d> points_around(const Polygon& polygon, double inside_m) {
@@ -68,29 +70,31 @@ Surroundings Foresight::look(const GroundMemory& ground, double time_s, const Po
     for (const Vector2d& obstacle : ground.obstacles(here, reach_m(now.motion), time_s)) {
         const Vector2d p = transform(T_robot_map, obstacle);
         const double distance_m = signed_distance_m(robot_.footprint_m, p);
-        if (distance_m <= 0.0) continue;  // what stands where the robot stands is none
-        now.obstacles_m.push_back(p);
-        now.nearest_m = std::min(now.nearest_m, distance_m);
+        if (distance_m < -inexact_m) continue;  // what stands where the robot stands is none
+        now.obstacles.push_back({p, distance_m});
+        if (distance_m > 0.0) now.nearest_m = std::min(now.nearest_m, distance_m);
     }
     return now;
 }
 
 /// A crawling robot may stay as near as it is, but come no nearer.
-double Foresight::margin_m(const Surroundings& now, const MotionCommand& candidate) const {
+double Foresight::margin_m(const Surroundings& now, const NearObstacle& obstacle,
+                           const MotionCommand& candidate) const {
     const double touch_m = params_.touch_m + cell_m_ / 2;
     const double fast_mps = outline_mps(candidate) - params_.crawl_mps;
     if (fast_mps > rounding_m) return touch_m + params_.margin_s * fast_mps;
-    return std::min(touch_m, now.nearest_m - rounding_m);
+    return std::min(touch_m, std::min(now.nearest_m, obstacle.distance_m) - rounding_m);
 }
 
-bool Foresight::touches(const Surroundings& now, const Pose2& T_robot_then, double margin_m,
+bool Foresight::touches(const Surroundings& now, const Pose2& T_robot_then, const MotionCommand& candidate,
                         Vector2d& where_m) const {
     const Pose2 T_then_robot = inverse(T_robot_then);
-    for (const Vector2d& obstacle : now.obstacles_m) {
-        const Vector2d p = transform(T_then_robot, obstacle);
-        if (p.norm() > radius_m_ + margin_m) continue;
-        if (signed_distance_m(robot_.footprint_m, p) >= margin_m) continue;
-        where_m = obstacle;
+    for (const NearObstacle& obstacle : now.obstacles) {
+        const Vector2d p = transform(T_then_robot, obstacle.at_m);
+        const double margin = margin_m(now, obstacle, candidate);
+        if (p.norm() > radius_m_ + margin) continue;
+        if (signed_distance_m(robot_.footprint_m, p) >= margin) continue;
+        where_m = obstacle.at_m;
         return true;
     }
     return false;
@@ -113,10 +117,9 @@ Outlook Foresight::outlook(const GroundMemory& ground, const Surroundings& now,
                            double hold_s) const {
     const std::vector<Pose2> path =
         stopping_path(robot_, now.motion, sent, now.time_s, {now.time_s, candidate}, hold_s);
-    const double margin = margin_m(now, candidate);
     Outlook outlook;
     outlook.touches = std::any_of(path.begin() + 1, path.end(), [&](const Pose2& T_robot_then) {
-        return touches(now, T_robot_then, margin, outlook.where_m);
+        return touches(now, T_robot_then, candidate, outlook.where_m);
     });
     if (outlook.touches) return outlook;
     const double spare_s = 2.0 * inside_cells * cell_m_ / outline_mps(candidate);

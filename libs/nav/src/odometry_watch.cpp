@@ -72,7 +72,7 @@ void OdometryWatch::sensed(const SensorReport& report) {
     if (report.status == FieldStatus::Ok) {
         compare_turn(report);
         compare_way(report);
-        count_still(report);
+        count_repeated(report);
     }
     const bool new_cycle = report.end_of_cycle || report.status == FieldStatus::Waiting;
     if (new_cycle) cycle_s_ = report.timestamp_s;
@@ -100,16 +100,14 @@ void OdometryWatch::compare_way(const SensorReport& report) {
         {*cycle_s_, report.timestamp_s, report.v_mps * (report.timestamp_s - *cycle_s_), wheels_m});
 }
 
-void OdometryWatch::count_still(const SensorReport& report) {
+void OdometryWatch::count_repeated(const SensorReport& report) {
     if (!last_) return;
     const std::optional<Pose2> wheels = wheels_between(last_->timestamp_s, report.timestamp_s);
     const double moved_m =
         wheels ? std::hypot(wheels->x_m, wheels->y_m) + std::abs(wheels->yaw_rad) * radius_m_ : 0.0;
-    const bool is_still = std::abs(report.omega_radps) < params_.still_radps;
-    const bool counts = is_still && moved_m > standing_m;
-    still_fields_ = counts ? still_fields_ + 1 : 0;
-    alike_fields_ = counts ? alike_fields_ + (std::abs(report.omega_radps) < params_.alike_radps) : 0;
-    still_way_m_ = counts ? still_way_m_ + moved_m : 0.0;
+    const bool counts = report.repeated && moved_m > standing_m;
+    repeated_fields_ = counts ? repeated_fields_ + 1 : 0;
+    repeated_way_m_ = counts ? repeated_way_m_ + moved_m : 0.0;
 }
 
 bool OdometryWatch::is_confirmed_since(double since_s) const {
@@ -140,11 +138,10 @@ Fault OdometryWatch::contradiction(const std::deque<Pair>& pairs, double free, d
 
 Fault OdometryWatch::fault(double time_s) const {
     if (newest_s_ < -1e8) return {};  // a robot without wheel odometry
-    if (still_fields_ >= params_.frozen_fields && alike_fields_ >= 2 &&
-        still_way_m_ >= params_.frozen_way_m) {
+    if (repeated_fields_ >= params_.frozen_fields && repeated_way_m_ >= params_.frozen_way_m) {
         return {GuardReason::SensorFrozen,
-                sentence("the last ", still_fields_, " images are alike, though the wheels moved ",
-                         still_way_m_, " m")};
+                sentence("the last ", repeated_fields_, " images are alike, though the wheels moved ",
+                         repeated_way_m_, " m")};
     }
     if (time_s - newest_s_ > params_.silent_s) {
         return {GuardReason::OdometryContradiction,

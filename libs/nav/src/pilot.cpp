@@ -14,6 +14,9 @@ using Eigen::Vector2d;
 constexpr double progress_m = 0.15;       // nearer by this much is progress
 constexpr double turned_rad = 0.06;       // near enough to a wanted heading
 constexpr double manoeuvre_max_s = 8.0;   // a step that takes longer is given up
+constexpr double place_ahead_m = 0.3;     // along the plan: where a stuck robot wanted to go
+constexpr double moved_m = 0.02;          // less is standing
+constexpr double moved_rad = 0.04;        // likewise
 constexpr double p_known_free = 0.52;     // of ground to back over
 constexpr double way_of_turning_m = 0.6;  // part of the plan that tells where to turn to
 
@@ -84,6 +87,7 @@ bool Pilot::is_at_goal(const Situation& situation) {
     while (goal_ < goals_m_.size() &&
            (goals_m_[goal_] - position(situation.T_map_robot)).norm() <= params_.goal_radius_m) {
         ++goal_;
+        params_.planner.avoid_m.clear();
         planning_ = false;
         best_ = {};
     }
@@ -120,14 +124,29 @@ void Pilot::drive(const Situation& situation) {
     if (!wanted.stuck) stuck_since_s_.reset();
     if (wanted.stuck && !stuck_since_s_) stuck_since_s_ = situation.time_s;
     const bool stuck = stuck_since_s_ && situation.time_s - *stuck_since_s_ >= params_.stuck_s;
+    const bool held = is_held(situation);
     const bool waits = situation.time_s - best_.time_s >= params_.no_progress_s;
     if (!situation.obstacles_known) {  // standing still for the guard's reasons is not being stuck
         best_.time_s = situation.time_s;
         stuck_since_s_.reset();
-    } else if (stuck || waits) {
+    } else if (stuck || held || waits) {
         begin_manoeuvre(situation);
-        decision_.why = stuck ? "no way is open" : "no progress";
+        decision_.why = stuck ? "no way is open" : held ? "the guard holds it" : "no progress";
     }
+}
+
+/// The robot has wanted to move for a while, and something keeps it where it is. `decision_` holds the
+/// command.
+bool Pilot::is_held(const Situation& situation) {
+    const Pose2 way = compose(inverse(moved_to_), situation.T_map_robot);
+    const MotionCommand& wanted = decision_.command;
+    const bool moves = position(way).norm() > moved_m || std::abs(way.yaw_rad) > moved_rad;
+    const bool rests = wanted.v_mps == 0.0 && wanted.omega_radps == 0.0;
+    if (moves || rests || !situation.obstacles_known) {
+        moved_s_ = situation.time_s;
+        moved_to_ = situation.T_map_robot;
+    }
+    return situation.time_s - moved_s_ >= params_.held_s;
 }
 
 void Pilot::note_progress(const Situation& situation) {
@@ -148,6 +167,7 @@ void Pilot::begin_manoeuvre(const Situation& situation) {
         enter(PilotState::Blocked, situation);
         return;
     }
+    if (manoeuvres_ > 1) avoid_this_place(situation);
     switch (manoeuvres_ % 3) {
         case 1:
             sequence_ = {PilotState::TurningToWay};
@@ -160,6 +180,15 @@ void Pilot::begin_manoeuvre(const Situation& situation) {
             break;
     }
     next_of_sequence(situation);
+}
+
+/// Where it wanted to go, and could not twice.
+void Pilot::avoid_this_place(const Situation& situation) {
+    for (const Vector2d& at_m : decision_.path_m) {
+        if ((at_m - position(situation.T_map_robot)).norm() < place_ahead_m) continue;
+        params_.planner.avoid_m.push_back(at_m);
+        return;
+    }
 }
 
 void Pilot::next_of_sequence(const Situation& situation) {
@@ -175,8 +204,8 @@ void Pilot::next_of_sequence(const Situation& situation) {
 void Pilot::enter(PilotState state, const Situation& situation) {
     decision_.state = state;
     decision_.command = {};
-    entered_s_ = situation.time_s;
-    entered_at_ = situation.T_map_robot;
+    entered_s_ = moved_s_ = situation.time_s;
+    entered_at_ = moved_to_ = situation.T_map_robot;
 }
 
 void Pilot::manoeuvre(const Situation& situation) {
@@ -205,6 +234,7 @@ void Pilot::manoeuvre(const Situation& situation) {
         default:
             back_off(situation, params_.back_off_m);
     }
+    if (is_held(situation)) next_of_sequence(situation);
 }
 
 void Pilot::turn_to(double yaw_rad, const Situation& situation) {

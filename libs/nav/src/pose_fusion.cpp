@@ -6,7 +6,8 @@ namespace flownav::nav {
 namespace {
 
 constexpr double memory_s = 2.0;
-constexpr double haste = 1.5;  // pushed, or down a slope, a robot is faster than it drives
+constexpr double gap_max_s = 0.5;  // between fields; across longer ones the wheels tell the way
+constexpr double haste = 1.5;      // pushed, or down a slope, a robot is faster than it drives
 constexpr double jump_m = 0.05;
 constexpr double jump_rad = 0.1;
 
@@ -38,7 +39,8 @@ bool PoseFusion::is_possible(const Stamped& from, const Stamped& to) const {
 }
 
 void PoseFusion::flow(double time_s, const std::optional<Pose2>& T_start_robot) {
-    if (flow_ && T_start_robot && !wheels_.empty()) {
+    const bool goes_on = flow_ && time_s - flow_->time_s < gap_max_s;
+    if (goes_on && T_start_robot && !wheels_.empty()) {
         // From one field to the next as the flow saw it, instead of as the wheels did.
         const Pose2 moved = compose(inverse(flow_->pose), *T_start_robot);
         const Pose2 T_map_robot = compose(at(flow_->time_s), moved);

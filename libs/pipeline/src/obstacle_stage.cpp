@@ -1,5 +1,6 @@
 #include "obstacle_stage.h"
 
+#include "flownav/obstacles/hidden_floor.h"
 #include "flownav/obstacles/points.h"
 #include "flownav/obstacles/virtual_scan.h"
 
@@ -122,6 +123,7 @@ void publish_obstacles(State::Impl& s) {
         }
     }
     publish_movers(s);
+    drop_hidden_floor(out.obstacles, {mount.forward_m, mount.left_m}, out.ground);
     fill_scan(out.scan, out.obstacles, out.ground);
 }
 

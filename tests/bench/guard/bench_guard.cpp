@@ -19,7 +19,7 @@ struct Arguments {
     TCLAP::ValueArg<std::string> sensor{"", "sensor", "flow or lidar", false, "flow", "NAME", line};
     TCLAP::ValueArg<std::string> navigator{"",     "navigator", "lanes or reactive", false, "lanes",
                                            "NAME", line};
-    TCLAP::ValueArg<double> near{"",  "mover-near-m", "distance of the mover, at least", false, 1.4, "M",
+    TCLAP::ValueArg<double> near{"",  "mover-near-m", "distance of the mover, at least", false, 0.8, "M",
                                  line};
     TCLAP::ValueArg<double> spread{"",  "mover-spread-m", "and so much more at the most", false, 0.8, "M",
                                    line};
@@ -57,7 +57,7 @@ void run_seed(const ScenarioOptions& options, std::uint64_t seed, const std::vec
 
 int run(int argc, char** argv) {
     Arguments a;
-    a.line.parse(argc, argv);
+    if (!a.line.parse(argc, argv)) return 0;
     ScenarioOptions options;
     options.sensor = a.sensor.getValue() == "lidar" ? SensorKind::Lidar : SensorKind::Flow;
     if (a.navigator.getValue() == "reactive") options.navigator = NavigatorKind::Reactive;

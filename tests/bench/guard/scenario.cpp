@@ -152,7 +152,7 @@ SimulatedDriveOptions Scenario::drive_options() const {
     drive.start = drive.world.start;
     drive.goals_m = {*drive.world.goal};
     drive.sensor = options_.sensor;
-    drive.timeout_s = 60.0;
+    drive.timeout_s = 120.0;
     drive.config.navigation.navigator = options_.navigator;
     drive.odometry.seed = seed_;
     CameraModel& camera = drive.camera.camera;
@@ -162,6 +162,7 @@ SimulatedDriveOptions Scenario::drive_options() const {
     camera.cx_px = (options_.width_px - 1) / 2.0;
     camera.cy_px = (options_.height_px - 1) / 2.0;
     camera.mount.height_m = 0.5;
+    drive.camera.supersampling = 1;
     camera.mount.pitch_rad = 20.0 * M_PI / 180.0;
     drive.camera.rate_hz = 25.0;
     drive.camera.effects.noise_sigma = 2.0;
@@ -194,8 +195,12 @@ void Scenario::break_drive(SimulatedDriveOptions& drive, const FaultPlan& plan, 
     faults.odometry = [plan](double time_s, const Pose2& pose) {
         return broken_odometry(plan, time_s, pose);
     };
-    faults.navigator_hangs = [plan](double time_s) {
-        return plan.fault == Fault::NavigatorHung && plan.holds(time_s);
+    // Before the mover the guard is to stop, not the navigator, which drives on blindly.
+    const MotionCommand blindly{drive.config.navigation.robot.v_max_mps, 0.0};
+    faults.navigator = [plan, blindly](double time_s,
+                                       const MotionCommand& proposed) -> std::optional<MotionCommand> {
+        if (plan.fault == Fault::NavigatorHung && plan.holds(time_s)) return std::nullopt;
+        return plan.fault == Fault::Mover && plan.holds(time_s) ? blindly : proposed;
     };
     if (plan.fault != Fault::Mover) return;
     row.distance_m = options_.mover_near_m + options_.mover_spread_m * chance(plan.seed, 20);
@@ -221,6 +226,8 @@ RunRow Scenario::run(Fault fault) {
     row.allowed_s =
         unknowable_s + reaction_s + robot.delay_s + tick_s +
         std::max(at.motion.v_mps / robot.brake_mps2, std::abs(at.motion.omega_radps) / robot.alpha_radps2);
+    // There is no hurry before a mover that is still far away: the robot is to stand before it leaves.
+    if (fault == Fault::Mover) row.allowed_s = lasts_s;
     measure(result, plan, row);
     if (options_.explain) explain(result, plan);
     row.cpu_s = cpu_seconds() - begin_s;

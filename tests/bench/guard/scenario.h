@@ -16,7 +16,7 @@ struct ScenarioOptions {
     int width_px = 320;
     int height_px = 240;
     double fault_s = 3.0;         ///< how long a fault lasts
-    double mover_near_m = 1.4;    ///< the mover steps in so far ahead of the bumper, at least,
+    double mover_near_m = 0.8;    ///< the mover steps in so far ahead of the bumper, at least,
     double mover_spread_m = 0.8;  ///< and so much farther at the most
 };
 
@@ -28,7 +28,7 @@ struct RunRow {
     double speed_mps = 0.0;    ///< when the fault began
     double distance_m = 0.0;   ///< of the mover, from the bumper
     double stop_s = -1.0;      ///< from the fault to standing; < 0: it did not stand while the fault lasted
-    double allowed_s = 0.0;    ///< 0.3 s, the delay of a command, and braking
+    double allowed_s = 0.0;    ///< 0.3 s, the delay of a command, and braking; mover: until it leaves
     double way_m = 0.0;        ///< meanwhile
     std::string reason = "-";  ///< of the guard's first stop after the fault
     double contact_mps = 0.0;  ///< speed of the robot at a contact

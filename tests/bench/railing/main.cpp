@@ -178,7 +178,7 @@ int experiment_app(int argc, char** argv) {
     TCLAP::ValueArg<std::string> folder("", "output", "where table and pictures go", true, "", "DIR",
                                         command);
     TCLAP::ValueArg<double> way("", "way-m", "length of the drive", false, 18.0, "M", command);
-    command.parse(argc, argv);
+    if (!command.parse(argc, argv)) return 0;
     make_output_folder(folder.getValue());
     std::string table =
         "| navigator | outcome | way (m) | time (s) | nearest (m) | flow: end (% of way) | heading (deg) | "

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "flownav/nav/motion_model.h"
 
 namespace flownav::nav {
@@ -119,10 +121,43 @@ TEST_F(Pilots, LookToTheLeftFirstAndThenToTheRight) {
     Pilot pilot = make({}, {{3.0, 0.0}});
     stuck_ = true;
     while (state_ != PilotState::LookingLeft) next_state(pilot);
+    const double ahead_rad = pose_.yaw_rad;
     EXPECT_EQ(next_state(pilot), PilotState::LookingRight);
-    EXPECT_NEAR(pose_.yaw_rad, PilotParams().look_rad, 0.15);
+    EXPECT_NEAR(pose_.yaw_rad - ahead_rad, PilotParams().look_rad, 0.15);
     next_state(pilot);
-    EXPECT_NEAR(pose_.yaw_rad, -PilotParams().look_rad, 0.15);
+    EXPECT_NEAR(pose_.yaw_rad - ahead_rad, -PilotParams().look_rad, 0.15);
+}
+
+TEST_F(Pilots, WhatTheGuardHoldsTriesSomethingElse) {
+    Pilot pilot = make({}, {{3.0, 0.0}});
+    const Pose2 held = pose_;
+    std::vector<PilotState> states;
+    std::vector<double> since_s;
+    while (time_s_ < 20.0) {
+        const PilotState state = step(pilot).state;
+        pose_ = held;
+        if (!states.empty() && states.back() == state) continue;
+        states.push_back(state);
+        since_s.push_back(time_s_);
+    }
+    EXPECT_GT(std::count(states.begin(), states.end(), PilotState::BackingOff), 0);
+    EXPECT_GT(std::count(states.begin(), states.end(), PilotState::LookingLeft), 0);
+    for (std::size_t i = 1; i < since_s.size(); ++i)
+        EXPECT_LT(since_s[i] - since_s[i - 1], 2.5) << to_string(states[i - 1]);
+}
+
+TEST_F(Pilots, GoAnotherWayWhenOneHoldsThemTwice) {
+    // Two gaps in a wall at x = 2; the nearer one only looks like one.
+    for (float y = -5.0F; y < 5.0F; y += 0.1F)
+        if (std::abs(y - 0.5F) > 0.5F && std::abs(y + 3.0F) > 0.5F) map_.setPos(2.0F, y, 0.0F);
+    Pilot pilot = make({}, {{4.0, 0.0}});
+    while (time_s_ < 90.0 && state_ != PilotState::Arrived) {
+        const Pose2 before = pose_;
+        state_ = step(pilot).state;
+        if (pose_.x_m > 1.75 && pose_.x_m < 2.3 && pose_.y_m > -2.0)
+            pose_ = {before.x_m, before.y_m, pose_.yaw_rad};
+    }
+    EXPECT_EQ(state_, PilotState::Arrived);
 }
 
 TEST_F(Pilots, BackOffNoFartherThanTheGroundIsKnown) {

@@ -43,6 +43,15 @@ TEST(PoseFusion, FlowReplacesWhatWheelsSayOfTheSameTime) {
     expect_near(fusion.now(), {1.0, 0.0, 0.0});
 }
 
+TEST(PoseFusion, AcrossALongGapOfTheFlowTheWheelsTellTheWay) {
+    PoseFusion fusion(fast);
+    fusion.odometry(0.0, {});
+    fusion.flow(0.0, Pose2{});
+    fusion.odometry(1.0, {0.5, 0.0, 0.0});
+    fusion.flow(1.0, Pose2{0.1, 0.0, 0.0});  // its camera was stuck for most of the way
+    expect_near(fusion.now(), {0.5, 0.0, 0.0});
+}
+
 TEST(PoseFusion, AStepThatNoRobotCanMakeCountsAsNone) {
     PoseFusion fusion{RobotModel()};  // 0.4 m/s
     fusion.odometry(0.0, {});

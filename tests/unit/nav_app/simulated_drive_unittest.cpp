@@ -83,7 +83,8 @@ TEST(SimulatedDrive, WhatFallsOnTheRobotIsACollision) {
     mover.script = {from, to};
     options.world.solids.push_back(mover);
     options.goals_m = {{0.0, -20.0}};
-    options.faults.navigator_hangs = [](double) { return true; };  // it cannot get out of the way
+    // It cannot get out of the way.
+    options.faults.navigator = [](double, const MotionCommand&) { return std::nullopt; };
     const DriveResult result = drive(options);
     EXPECT_EQ(result.outcome, Outcome::Collision);
     EXPECT_EQ(result.why, "touched cart");
@@ -92,13 +93,26 @@ TEST(SimulatedDrive, WhatFallsOnTheRobotIsACollision) {
 
 TEST(SimulatedDrive, ANavigatorThatHangsStopsTheRobotAndDrivesOnAfterwards) {
     SimulatedDriveOptions options = round_a_post();
-    options.faults.navigator_hangs = [](double time_s) { return time_s > 3.0 && time_s < 6.0; };
+    options.faults.navigator = [](double time_s, const MotionCommand& proposed) {
+        return time_s > 3.0 && time_s < 6.0 ? std::nullopt : std::optional(proposed);
+    };
     const DriveResult result = drive(options);
     EXPECT_EQ(result.outcome, Outcome::Reached);
     const auto silent = [](const nav::GuardEvent& e) {
         return e.reason == nav::GuardReason::NavigatorSilent;
     };
     EXPECT_TRUE(std::any_of(result.stops.begin(), result.stops.end(), silent));
+}
+
+TEST(SimulatedDrive, ANavigatorThatDrivesStraightAtAPostIsStopped) {
+    SimulatedDriveOptions options = round_a_post();
+    options.timeout_s = 12.0;
+    options.faults.navigator = [](double, const MotionCommand&) { return MotionCommand{0.4, 0.0}; };
+    const DriveResult result = drive(options);
+    EXPECT_EQ(result.outcome, Outcome::Timeout);
+    EXPECT_EQ(result.stops.back().reason, nav::GuardReason::ObstacleAhead);
+    EXPECT_GT(result.min_clearance_m, 0.0);
+    EXPECT_LT(result.min_clearance_m, 0.3);
 }
 
 TEST(SimulatedDrive, TheScoreIsThatOfTheBenchmark) {

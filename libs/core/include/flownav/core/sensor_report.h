@@ -14,11 +14,12 @@ struct SensorReport {
 
     double timestamp_s = 0.0;  ///< of the field
     FieldStatus status = FieldStatus::Waiting;
-    bool end_of_cycle = false;                ///< obstacles are new
-    double omega_radps = 0.0;                 ///< from the previous field to this one, > 0 left
-    double v_mps = 0.0;                       ///< mean forward speed since the reference
-    bool v_measured = false;                  ///< false: predicted or carried over
-    std::array<int, sectors> blocks = {};     ///< of the layout, whether they could be matched or not
+    bool repeated = false;                 ///< the image is one of the last two once more, to the last pixel
+    bool end_of_cycle = false;             ///< obstacles are new
+    double omega_radps = 0.0;              ///< from the previous field to this one, > 0 left
+    double v_mps = 0.0;                    ///< mean forward speed since the reference
+    bool v_measured = false;               ///< false: predicted or carried over
+    std::array<int, sectors> blocks = {};  ///< of the layout, whether they could be matched or not
     std::array<int, sectors> confident = {};  ///< of these: matched unambiguously
 };
 

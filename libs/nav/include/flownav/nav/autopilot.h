@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -30,15 +31,17 @@ class Autopilot {
     Autopilot(const NavigationParams& navigation, const MapParams& map, const GuardParams& guard, Pilot pilot,
               const Pose2& start);
 
+    using Tamper = std::function<std::optional<MotionCommand>(double time_s, const MotionCommand& proposed)>;
+
     /// Pose and motion of the robot as its wheels have it.
     void odometry(double time_s, const Pose2& T_odom_robot, const MotionCommand& motion);
 
     /// Has just arrived.
     void sensed(const Sensed& sensed);
 
-    /// What the motors are to do. The navigator is asked when its period has passed, unless `navigator_hangs`
-    /// (a fault for tests). Times rise.
-    MotionCommand command(double time_s, bool navigator_hangs = false);
+    /// What the motors are to do. The navigator is asked when its period has passed. Times rise. `tamper` is
+    /// for tests: what the guard hears instead of the navigator's proposal, if anything.
+    MotionCommand command(double time_s, const Tamper& tamper = {});
 
     // What it thinks, for logs and pictures.
     Pose2 T_map_robot() const { return pose_.now(); }
@@ -50,7 +53,7 @@ class Autopilot {
     const mrpt::maps::COccupancyGridMap2D& local_map() const { return local_.grid(); }
 
   private:
-    void decide(double time_s);
+    void decide(double time_s, const Tamper& tamper);
 
     NavigationParams params_;
     PoseFusion pose_;

@@ -19,13 +19,19 @@ struct ForesightParams {
     double unseen_max_m = 0.1;  ///< of the outline may pass over unseen ground and it still counts as seen
 };
 
+/// A cell of something that stands there.
+struct NearObstacle {
+    Eigen::Vector2d at_m = Eigen::Vector2d::Zero();  ///< robot frame
+    double distance_m = 0.0;  ///< from the footprint; < 0: a little inside it, as a map is not exact
+};
+
 /// Where a robot stands, how it moves, and what is near.
 struct Surroundings {
     double time_s = 0.0;
     Pose2 T_map_robot;
     MotionCommand motion;
-    std::vector<Eigen::Vector2d> obstacles_m;  ///< robot frame, within reach, outside the footprint
-    double nearest_m = 0.0;                    ///< distance of the footprint to the nearest of them
+    std::vector<NearObstacle> obstacles;  ///< within reach
+    double nearest_m = 0.0;               ///< the least distance of those outside the footprint
 };
 
 /// What a command, and a stop right after it, would lead to.
@@ -52,8 +58,9 @@ class Foresight {
 
   private:
     double reach_m(const MotionCommand& motion) const;
-    double margin_m(const Surroundings& now, const MotionCommand& candidate) const;
-    bool touches(const Surroundings& now, const Pose2& T_robot_then, double margin_m,
+    double margin_m(const Surroundings& now, const NearObstacle& obstacle,
+                    const MotionCommand& candidate) const;
+    bool touches(const Surroundings& now, const Pose2& T_robot_then, const MotionCommand& candidate,
                  Eigen::Vector2d& where_m) const;
     bool is_unseen(const GroundMemory& ground, const Surroundings& now, const Pose2& T_robot_then) const;
 

@@ -20,10 +20,8 @@ struct OdometryWatchParams {
     double jump_rad = 0.1;       ///< or turn, by this
     double silent_s = 0.5;       ///< without odometry, once there was some
     double hold_s = 1.0;         ///< a jump is remembered for so long
-    int frozen_fields = 3;       ///< in a row without any flow, while
+    int frozen_fields = 3;       ///< in a row are the same image once more, while
     double frozen_way_m = 0.01;  ///< the outline moves so far by the wheels
-    double still_radps = 1e-4;   ///< no flow is told by a turn below this; two of the fields
-    double alike_radps = 1e-7;   ///< are alike to the last digit, which noise never lets two images be
 };
 
 /// Whether flow and wheels tell the same motion.
@@ -56,7 +54,7 @@ class OdometryWatch {
     std::optional<Pose2> wheels_at(double time_s) const;
     void compare_turn(const SensorReport& report);
     void compare_way(const SensorReport& report);
-    void count_still(const SensorReport& report);
+    void count_repeated(const SensorReport& report);
     Fault contradiction(const std::deque<Pair>& pairs, double free, double share, const char* what) const;
 
     RobotModel robot_;
@@ -67,9 +65,8 @@ class OdometryWatch {
     std::deque<Pair> ways_;
     std::optional<SensorReport> last_;  ///< field
     std::optional<double> cycle_s_;     ///< when the running cycle began
-    int still_fields_ = 0;              ///< in a row
-    int alike_fields_ = 0;              ///< among them
-    double still_way_m_ = 0.0;          ///< of the outline meanwhile, by the wheels
+    int repeated_fields_ = 0;           ///< in a row
+    double repeated_way_m_ = 0.0;       ///< of the outline meanwhile, by the wheels
     double jumped_s_ = -1e9;
     double newest_s_ = -1e9;  ///< odometry
 };

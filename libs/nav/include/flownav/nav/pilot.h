@@ -30,11 +30,12 @@ struct PilotParams {
     PlanParams planner;
     double goal_radius_m = 0.3;  ///< arrived when this near
     double stuck_s = 0.8;        ///< the navigator sees no way for so long: a manoeuvre
+    double held_s = 1.5;         ///< it wants to move, and the guard does not let it: likewise
     double no_progress_s = 6.0;  ///< without coming 0.15 m nearer: a manoeuvre
     double back_off_m = 0.35;    ///< as far as known ground lasts
     double look_rad = 0.9;       ///< to either side
     double turn_radps = 0.5;     ///< of manoeuvres; at most the robot's
-    int manoeuvres_max = 15;     ///< without progress: blocked
+    int manoeuvres_max = 20;     ///< without progress: blocked
 };
 
 /// What the pilot decided, and all that a log or a picture shows of it.
@@ -51,8 +52,9 @@ struct PilotDecision {
 /// Leads a local navigator to a goal, past dead ends: plans way points on the map of everything seen, and
 /// frees the robot with manoeuvres when it is stuck. Its state machine:
 ///
-///     Driving -> (stuck, or no progress) -> one manoeuvre -> Driving; the manoeuvres take turns:
-///     TurningToWay, BackingOff then TurningToWay, LookingLeft then LookingRight then TurningToWay
+///     Driving -> (stuck, held by the guard, or no progress) -> one manoeuvre -> Driving; they take turns:
+///     TurningToWay, BackingOff then TurningToWay, LookingLeft then LookingRight then TurningToWay;
+///     a step that the guard does not allow is left out
 ///     Driving -> (goal reached) -> Arrived       Driving -> (manoeuvres_max in one place) -> Blocked
 ///
 /// Decides from what it is given; no clock.
@@ -79,7 +81,9 @@ class Pilot {
     void aim(const Situation& situation, const mrpt::maps::COccupancyGridMap2D& map);
     void drive(const Situation& situation);
     void note_progress(const Situation& situation);
+    bool is_held(const Situation& situation);
     void begin_manoeuvre(const Situation& situation);
+    void avoid_this_place(const Situation& situation);
     void enter(PilotState state, const Situation& situation);
     void manoeuvre(const Situation& situation);
     void turn_to(double yaw_rad, const Situation& situation);
@@ -96,6 +100,8 @@ class Pilot {
     std::optional<Plan> plan_;
     Progress best_;  ///< nearest to the goal so far, and when
     std::optional<double> stuck_since_s_;
+    double moved_s_ = 0.0;  ///< when it last moved, or did not want to
+    Pose2 moved_to_;
     bool planning_ = false;             ///< PlanPolicy::Stuck: until the next goal
     int manoeuvres_ = 0;                ///< since the last progress
     std::vector<PilotState> sequence_;  ///< of the running manoeuvre, the next step last
