@@ -36,11 +36,13 @@ std::string result_json(const NavOptions& options, const DriveResult& result) {
     json["why"] = result.why;
     json["time_s"] = rounded(result.time_s);
     json["path_m"] = rounded(result.path_m);
-    json["min_clearance_m"] = rounded(result.min_clearance_m);
     if (result.outcome == Outcome::Collision) json["contact_speed_mps"] = rounded(result.contact_speed_mps);
     if (options.reference_path_m > 0.0) json["score"] = rounded(barn_score(result, options.reference_path_m));
-    json["world"] = options.drive.world.name;
-    json["seed"] = options.seed;
+    if (options.robot == "sim") {
+        json["min_clearance_m"] = rounded(result.min_clearance_m);
+        json["world"] = options.drive.world.name;
+        json["seed"] = options.seed;
+    }
     json["sensor"] = options.drive.sensor == SensorKind::Flow ? "flow" : "lidar";
     json["navigator"] =
         options.drive.config.navigation.navigator == NavigatorKind::Lanes ? "lanes" : "reactive";

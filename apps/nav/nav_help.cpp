@@ -36,7 +36,7 @@ The simulated camera; its height, pitch and place are camera.height_m, camera.pi
   --noise GREY             standard deviation of its noise, default 2
   --vibration-deg D        standard deviation of its pitch, default 0
   --supersampling N        samples a pixel in either direction, 1..4, default 2; 1 takes a third of the time
-  --plain-objects          nothing but the floor has texture
+  --objects patterned|faint|plain   how everything but the floor looks; default: as the world says
 
 What is kept
   --output DIR             everything about the drive: result.json, drive.png, drive.csv, the recording, and

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -100,7 +101,7 @@ struct Arguments {
     Text sensor{"", "sensor", "", false, "flow", "flow|lidar", command};
     Text config{"", "config", "", false, "", "FILE.ini", command};
     TCLAP::MultiArg<std::string> settings{"", "set", "", false, "section.key=value", command};
-    TCLAP::ValueArg<std::uint64_t> seed{"", "seed", "", false, 1, "N", command};
+    TCLAP::ValueArg<int> seed{"", "seed", "", false, 1, "N", command};
     TCLAP::ValueArg<int> width{"", "width", "", false, 640, "PX", command};
     TCLAP::ValueArg<int> height{"", "height", "", false, 480, "PX", command};
     Number fov{"", "fov-deg", "", false, 90.0, "D", command};
@@ -109,7 +110,7 @@ struct Arguments {
     Number noise{"", "noise", "", false, 2.0, "GREY", command};
     TCLAP::ValueArg<int> supersampling{"", "supersampling", "", false, 2, "N", command};
     Number vibration{"", "vibration-deg", "", false, 0.0, "D", command};
-    TCLAP::SwitchArg plain_objects{"", "plain-objects", "", command};
+    Text objects{"", "objects", "", false, "", "WORD", command};
     Text output{"", "output", "", false, "", "DIR", command};
     Text result{"", "result", "", false, "", "FILE.json", command};
     Text record{"", "record", "", false, "", "FILE.rawlog", command};
@@ -120,6 +121,10 @@ struct Arguments {
     TCLAP::SwitchArg quiet{"", "quiet", "", command};
 };
 
+std::uint64_t seed_of(Arguments& a) {
+    return static_cast<std::uint64_t>(in_range(a.seed, 0, std::numeric_limits<int>::max()));
+}
+
 sim::World make_world(Arguments& a, std::ostream& error) {
     if (a.world.isSet() == a.generate.isSet()) throw ConfigError("needs either --world or --generate");
     if (a.generate.isSet()) {
@@ -129,7 +134,7 @@ sim::World make_world(Arguments& a, std::ostream& error) {
                                                  {"office", Kind::Office},
                                                  {"hall", Kind::Hall},
                                                  {"forest", Kind::Forest}}),
-                                   a.seed.getValue());
+                                   seed_of(a));
     }
     sim::LoadedWorld loaded = sim::read_sdf_world(a.world.getValue());
     for (const std::string& warning : loaded.warnings) error << "flownav-nav: warning: " << warning << '\n';
@@ -160,12 +165,13 @@ sim::CameraSimParams make_camera(Arguments& a, const CameraConfig& config) {
     params.supersampling = in_range(a.supersampling, 1, 4);
     params.effects.noise_sigma = in_range(a.noise, 0.0, 50.0);
     params.effects.pitch_vibration_deg = in_range(a.vibration, 0.0, 5.0);
-    params.effects.seed = a.seed.getValue();
+    params.effects.seed = seed_of(a);
     return params;
 }
 
-void make_plain(sim::World& world) {
-    for (sim::Solid& solid : world.solids) solid.look.surface = sim::Surface::Plain;
+/// Gives everything but the floor another surface.
+void set_surface(sim::World& world, sim::Surface surface) {
+    for (sim::Solid& solid : world.solids) solid.look.surface = surface;
 }
 
 void set_goals(Arguments& a, SimulatedDriveOptions& drive) {
@@ -193,7 +199,7 @@ NavOptions options_of(Arguments& a, std::ostream& error) {
     NavOptions options;
     options.robot = a.robot.getValue();
     options.camera = a.camera.getValue();
-    options.seed = a.seed.getValue();
+    options.seed = seed_of(a);
     SimulatedDriveOptions& drive = options.drive;
     drive.config = configuration(a.config.getValue(), a.settings.getValue());
     if (a.navigator.isSet()) set_config_value(drive.config, "navigation.navigator", a.navigator.getValue());
@@ -209,7 +215,12 @@ NavOptions options_of(Arguments& a, std::ostream& error) {
     drive.navlog_directory = a.navlog.getValue();
     if (options.robot == "sim") {
         drive.world = make_world(a, error);
-        if (a.plain_objects.getValue()) make_plain(drive.world);
+        if (a.objects.isSet()) {
+            set_surface(drive.world, one_of<sim::Surface>("objects", a.objects.getValue(),
+                                                          {{"patterned", sim::Surface::Patterned},
+                                                           {"faint", sim::Surface::Faint},
+                                                           {"plain", sim::Surface::Plain}}));
+        }
     } else if (options.camera.empty()) {
         throw ConfigError("--robot " + options.robot + ": needs --camera CAM.ini");
     }

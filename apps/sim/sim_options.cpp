@@ -1,6 +1,7 @@
 #include "sim_options.h"
 
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "command_output.h"
@@ -28,7 +29,7 @@ struct Arguments {
     TCLAP::CmdLine& command;
     TCLAP::UnlabeledMultiArg<std::string> worlds{"world", "", false, "WORLD.world", command};
     Text generate{"", "generate", "", false, "", "KIND", command};
-    TCLAP::ValueArg<std::uint64_t> seed{"", "seed", "", false, 1, "N", command};
+    TCLAP::ValueArg<int> seed{"", "seed", "", false, 1, "N", command};
     Text write_world{"", "write-world", "", false, "", "F.world", command};
     Text path{"", "path", "", false, "", "FILE.csv", command};
     Text script{"", "script", "", false, "", "STEPS", command};
@@ -63,6 +64,10 @@ Number in_range(TCLAP::ValueArg<Number>& argument, Number low, Number high) {
                       ".." + text(high));
 }
 
+std::uint64_t seed_of(Arguments& a) {
+    return static_cast<std::uint64_t>(in_range(a.seed, 0, std::numeric_limits<int>::max()));
+}
+
 /// What is missing or does not go together; empty when all is well.
 std::string complaint(Arguments& a) {
     for (const std::string& word : a.worlds.getValue())
@@ -89,7 +94,7 @@ sim::WorldKind kind_named(const std::string& word) {
 
 void take_world(Arguments& a, SimOptions& options) {
     if (a.generate.isSet()) {
-        options.world = sim::generate_world(kind_named(a.generate.getValue()), a.seed.getValue());
+        options.world = sim::generate_world(kind_named(a.generate.getValue()), seed_of(a));
         return;
     }
     sim::LoadedWorld loaded = sim::read_sdf_world(a.worlds.getValue().front());
@@ -162,12 +167,12 @@ SimOptions options_of(Arguments& a) {
     options.camera.effects.exposure_step = in_range(a.exposure_step, 0.0, 0.9);
     options.camera.effects.vignetting = in_range(a.vignetting, 0.0, 0.9);
     options.camera.effects.blur_px = in_range(a.blur, 0.0, 10.0);
-    options.camera.effects.seed = a.seed.getValue();
+    options.camera.effects.seed = seed_of(a);
     options.odometry.scale = in_range(a.wheel_scale, 0.5, 2.0);
     options.odometry.turn_scale = in_range(a.wheel_turn_scale, 0.5, 2.0);
     options.odometry.way_noise_m *= in_range(a.wheel_noise, 0.0, 100.0);
     options.odometry.turn_noise_rad *= a.wheel_noise.getValue();
-    options.odometry.seed = a.seed.getValue();
+    options.odometry.seed = seed_of(a);
     take_world(a, options);
     options.path = path_of(a, options.world.start);
     return options;
