@@ -2,12 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app_runs.h"
+#include "flownav/replay/drive_recording.h"
+#include "flownav/replay/replay.h"
+#include "flownav/sim/generate_world.h"
+#include "simulated_drive.h"
 
 namespace flownav {
 namespace {
@@ -99,6 +104,64 @@ TEST(NavApp, ADriveThatSeesIsRecordedAndReplayedIntoItsReport) {
         EXPECT_GT(fs::file_size(out / name), 100U) << name;
     const auto summary = nlohmann::json::parse(content(out / "summary.json"));
     EXPECT_LT(std::abs(summary["errors"]["ground_truth"]["v_bias_percent"].get<double>()), 3.0);
+}
+
+/// Records a drive, and keeps the obstacle points that the robot saw while it drove.
+struct Witness : DriveObserver {
+    explicit Witness(const fs::path& file) : recording(file) {}
+
+    void on_field(const Field& field, const pipeline::Step& step) override {
+        recording.write(field);
+        for (const ObstaclePoint& point : step.obstacles) seen.push_back(point.position_m);
+    }
+
+    DriveRecording recording;
+    std::vector<Eigen::Vector3d> seen;
+};
+
+/// The points of an obstacles.csv.
+std::vector<Eigen::Vector3d> points_of(const fs::path& csv) {
+    std::istringstream lines(content(csv));
+    std::string line;
+    std::getline(lines, line);
+    std::vector<Eigen::Vector3d> points;
+    while (std::getline(lines, line)) {
+        Eigen::Vector3d p;
+        std::replace(line.begin(), line.end(), ',', ' ');
+        std::istringstream words(line);
+        double timestamp_s;
+        words >> timestamp_s >> p.x() >> p.y() >> p.z();
+        points.push_back(p);
+    }
+    return points;
+}
+
+TEST(NavApp, TheRecordingOfADriveReplaysToTheObstaclesThatTheRobotSaw) {
+    SimulatedDriveOptions drive;
+    drive.world = sim::generate_world(sim::WorldKind::Forest, 1);
+    drive.start = drive.world.start;
+    drive.goals_m = {*drive.world.goal};
+    drive.timeout_s = 8.0;
+    CameraModel& camera = drive.camera.camera;
+    camera.width_px = 320;
+    camera.height_px = 240;
+    camera.fx_px = camera.fy_px = 160.0;
+    camera.cx_px = 159.5;
+    camera.cy_px = 119.5;
+    camera.mount.height_m = 0.5;
+    camera.mount.pitch_rad = 0.35;
+    ReplayOptions replaying;
+    replaying.output = folder();
+    replaying.input = replaying.output / "run.rawlog";
+    Witness witness(replaying.input);
+    simulate_drive(drive, witness);
+    witness.recording.complete();
+    replay(replaying);
+    const auto replayed = points_of(replaying.output / "obstacles.csv");
+    ASSERT_GT(witness.seen.size(), 50U);
+    ASSERT_EQ(replayed.size(), witness.seen.size());
+    for (std::size_t i = 0; i < replayed.size(); ++i)
+        EXPECT_LT((replayed[i] - witness.seen[i]).norm(), 2e-4) << i;
 }
 
 }  // namespace
