@@ -1,10 +1,13 @@
 #include "lane_log.h"
 
+#include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt/kinematics/CVehicleVelCmd_DiffDriven.h>
 #include <mrpt/nav/holonomic/CHolonomicVFF.h>
 #include <mrpt/nav/reactive/CLogFileRecord.h>
+#include <mrpt/nav/tpspace/CPTG_DiffDrive_C.h>
 #include <mrpt/serialization/CArchive.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -16,6 +19,8 @@ namespace {
 
 using Eigen::Vector2d;
 using mrpt::nav::CLogFileRecord;
+
+constexpr int paths = 121;  // of the circular paths that the viewer shows
 
 std::filesystem::path free_name(const std::filesystem::path& folder) {
     for (int number = 0;; ++number) {
@@ -38,22 +43,53 @@ void add_obstacles(const LaneTables& tables, const mrpt::maps::COccupancyGridMap
     record.WS_Obstacles_original = record.WS_Obstacles;
 }
 
-/// The lanes as the paths of one "PTG"; their free ways are its obstacles.
+/// MRPT's circular paths, which are lanes evenly spaced in curvature.
+mrpt::nav::CParameterizedTrajectoryGenerator::Ptr circular_paths(const LaneTables& tables) {
+    const double v_max_mps = tables.robot.v_max_mps;
+    mrpt::config::CConfigFileMemory config;
+    config.write("ptg", "resolution", tables.layout.resolution_m);
+    config.write("ptg", "refDistance", tables.layout.length_m);
+    config.write("ptg", "num_paths", paths);
+    config.write("ptg", "v_max_mps", v_max_mps);
+    config.write("ptg", "w_max_dps", v_max_mps / tables.layout.radius_min_m * 180.0 / M_PI);
+    config.write("ptg", "K", 1.0);
+    auto ptg = std::make_shared<mrpt::nav::CPTG_DiffDrive_C>();
+    ptg->loadFromConfigFile(config, "ptg");
+    mrpt::math::CPolygon shape;
+    for (const Vector2d& corner : tables.robot.footprint_m) shape.AddVertex(corner.x(), corner.y());
+    ptg->setRobotShape(shape);
+    return ptg;
+}
+
+/// Index of the lane that is nearest to one of these paths.
+std::size_t lane_of(const LaneTables& tables, Eigen::Index path) {
+    const double share = 2.0 * (static_cast<double>(path) + 0.5) / paths - 1.0;
+    const double curvature_1pm = share / tables.layout.radius_min_m;
+    const auto next = std::lower_bound(tables.lanes.begin(), tables.lanes.end(), curvature_1pm,
+                                       [](const Lane& lane, double c) { return lane.curvature_1pm < c; });
+    if (next == tables.lanes.end()) return tables.lanes.size() - 1;
+    const auto index = static_cast<std::size_t>(next - tables.lanes.begin());
+    const bool before = index > 0 && curvature_1pm - tables.lanes[index - 1].curvature_1pm <
+                                         next->curvature_1pm - curvature_1pm;
+    return before ? index - 1 : index;
+}
+
+/// The free ways of the lanes as the obstacles of the circular paths.
 CLogFileRecord::TInfoPerPTG lanes_of(const LaneTables& tables, const LaneDecision& decision) {
     CLogFileRecord::TInfoPerPTG info;
     info.PTG_desc = "flownav lanes, from hard right to hard left";
     info.timeForTPObsTransformation = info.timeForHolonomicMethod = 0.0;
     info.desiredDirection = info.desiredSpeed = info.evaluation = 0.0;
     info.HLFR = std::make_shared<mrpt::nav::CLogFileRecord_VFF>();
-    const auto lanes = static_cast<Eigen::Index>(decision.lanes.size());
-    info.TP_Obstacles.resize(lanes);
-    for (Eigen::Index i = 0; i < lanes; ++i) {
+    info.TP_Obstacles.resize(paths);
+    for (Eigen::Index i = 0; i < paths; ++i) {
         info.TP_Obstacles[i] =
-            static_cast<float>(decision.lanes[static_cast<std::size_t>(i)].free_m / tables.layout.length_m);
+            static_cast<float>(decision.lanes[lane_of(tables, i)].free_m / tables.layout.length_m);
     }
     if (decision.lane >= 0) {
         const LaneView& lane = decision.lanes[static_cast<std::size_t>(decision.lane)];
-        info.desiredDirection = -M_PI + 2.0 * M_PI * (decision.lane + 0.5) / static_cast<double>(lanes);
+        const double curvature_1pm = tables.lanes[static_cast<std::size_t>(decision.lane)].curvature_1pm;
+        info.desiredDirection = M_PI * std::clamp(curvature_1pm * tables.layout.radius_min_m, -1.0, 1.0);
         info.desiredSpeed = decision.command.v_mps / tables.robot.v_max_mps;
         info.evaluation = lane.score;
         info.evalFactors = {{"near", lane.near}, {"free_m", lane.free_m}, {"gap_m", lane.gap_m},
@@ -77,6 +113,8 @@ void LaneLog::write(const LaneTables& tables, const Situation& situation, const 
     CLogFileRecord record;
     record.nPTGs = 1;
     record.infoPerPTG.push_back(lanes_of(tables, decision));
+    if (first_) record.infoPerPTG[0].ptg = circular_paths(tables);
+    first_ = false;
     record.nSelectedPTG = decision.lane >= 0 ? 0 : -1;
     const auto now = mrpt::Clock::fromDouble(situation.time_s);
     record.timestamps = {{"tim_start_iteration", now}, {"curPoseAndVel", now}, {"tim_send_cmd_vel", now}};

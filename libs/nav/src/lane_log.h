@@ -20,6 +20,7 @@ class LaneLog {
 
   private:
     mrpt::io::CFileGZOutputStream file_;
+    bool first_ = true;  ///< record, which tells the viewer how the lanes run
 };
 
 }  // namespace flownav::nav

@@ -198,6 +198,8 @@ TEST_P(Navigators, TheNavlogCanBeReadBack) {
     for (int i = 0; i < 5; ++i) {
         const auto record = archive.ReadObject<mrpt::nav::CLogFileRecord>();
         EXPECT_GT(record->WS_Obstacles.size(), 0U);
+        // The viewer draws the paths of the first record's generators.
+        EXPECT_EQ(static_cast<bool>(record->infoPerPTG.at(0).ptg), i == 0);
         EXPECT_EQ(record->robotShape_x.size(), 4);
         ASSERT_TRUE(record->cmd_vel);
         EXPECT_GT(record->cmd_vel->getVelCmdElement(0), 0.0);
