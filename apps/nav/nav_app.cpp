@@ -35,10 +35,13 @@ int status_of(Outcome outcome) {
     return 6;
 }
 
-/// Keeps what was asked for, while the robot drives.
+constexpr double progress_every_s = 10.0;
+
+/// Keeps what was asked for, while the robot drives, and tells how far it is.
 class Keeper : public DriveObserver {
   public:
-    explicit Keeper(const NavOptions& options) : options_(options), began_(std::chrono::steady_clock::now()) {
+    Keeper(const NavOptions& options, std::ostream& out)
+        : options_(options), out_(out), began_(std::chrono::steady_clock::now()) {
         if (!options.record.empty()) recorder_.emplace(options.record);
         if (!options.output.empty()) {
             csv_.emplace(options.output / "drive.csv");
@@ -58,6 +61,13 @@ class Keeper : public DriveObserver {
     void on_decision(const DriveSample& sample, const nav::Autopilot& autopilot) override {
         if (csv_) csv_->write(drive_csv_row(sample, autopilot));
         map_ = autopilot.map();
+        if (!options_.quiet && sample.time_s >= next_progress_s_) {
+            const nav::PilotDecision& decision = autopilot.decision();
+            out_ << fixed_text(sample.time_s, 0) << " s: at " << fixed_text(sample.T_map_robot.x_m, 1) << ' '
+                 << fixed_text(sample.T_map_robot.y_m, 1) << " m, " << to_string(decision.state)
+                 << (decision.why.empty() ? "" : ", " + decision.why) << std::endl;
+            next_progress_s_ += progress_every_s;
+        }
     }
     void on_tick(const DriveSample& sample) override {
         if (options_.realtime)
@@ -72,6 +82,8 @@ class Keeper : public DriveObserver {
 
   private:
     const NavOptions& options_;
+    std::ostream& out_;
+    double next_progress_s_ = progress_every_s;
     std::chrono::steady_clock::time_point began_;
     std::optional<DriveRecording> recorder_;
     std::optional<OutputFile> csv_;
@@ -115,7 +127,7 @@ std::string closing_line(const DriveResult& result, double wall_s) {
 
 int drive(NavOptions options, std::ostream& out) {
     complete(options);
-    Keeper keeper(options);
+    Keeper keeper(options, out);
     const auto began = std::chrono::steady_clock::now();
     const DriveResult result = simulate_drive(options.drive, keeper);
     const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();

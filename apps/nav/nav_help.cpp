@@ -47,7 +47,7 @@ What is kept
   --navlog DIR             logs for MRPT's navlog-viewer
   --reference-path-m M     length of the best way: adds BARN's score to the result
   --realtime               not faster than the clock
-  --quiet                  no closing line
+  --quiet                  neither progress nor a closing line
   --help, --version        print this text, or the version, and exit
 
 Exit status:
