@@ -10,13 +10,19 @@ namespace flownav::nav {
 namespace {
 
 using Eigen::Vector2d;
+using mrpt::maps::COccupancyGridMap2D;
 
-constexpr double progress_m = 0.15;       // nearer by this much is progress
-constexpr double turned_rad = 0.06;       // near enough to a wanted heading
-constexpr double manoeuvre_max_s = 8.0;   // a step that takes longer is given up
-constexpr double place_ahead_m = 0.3;     // along the plan: where a stuck robot wanted to go
-constexpr double moved_m = 0.02;          // less is standing
-constexpr double moved_rad = 0.04;        // likewise
+constexpr double progress_m = 0.15;      // nearer by this much is progress
+constexpr double turned_rad = 0.06;      // near enough to a wanted heading
+constexpr double manoeuvre_max_s = 8.0;  // a step that takes longer is given up
+constexpr double place_ahead_m = 0.3;    // along the plan: where a stuck robot wanted to go
+constexpr double moved_m = 0.02;         // less is standing
+constexpr double moved_rad = 0.04;       // likewise
+constexpr double trail_step_m = 0.1;
+constexpr double trail_step_rad = 0.1;
+constexpr std::size_t trail_poses = 50;
+constexpr double beside_trail_m = 0.12;
+constexpr double p_not_occupied = 0.45;
 constexpr double p_known_free = 0.52;     // of ground to back over
 constexpr double way_of_turning_m = 0.6;  // part of the plan that tells where to turn to
 
@@ -28,9 +34,18 @@ double heading_to(const Vector2d& from_m, const Vector2d& to_m) {
     return std::atan2(to_m.y() - from_m.y(), to_m.x() - from_m.x());
 }
 
-/// How far the robot can back over ground that is known to be free, up to `wanted_m`. It stands on the ground
-/// below it, whatever the map says.
-double known_behind_m(const Situation& situation, const RobotModel& robot, double wanted_m) {
+/// Whether the robot has stood there, or nearly so, on one of the poses of its trail.
+bool is_driven(const std::deque<Pose2>& trail, const RobotModel& robot, const Vector2d& at_map_m) {
+    return std::any_of(trail.begin(), trail.end(), [&](const Pose2& T_map_robot) {
+        return signed_distance_m(robot.footprint_m, transform(inverse(T_map_robot), at_map_m)) <
+               beside_trail_m;
+    });
+}
+
+/// How far the robot can back over ground that is known to be free, or that it came over, up to `wanted_m`.
+/// It stands on the ground below it, whatever the map says.
+double known_behind_m(const Situation& situation, const RobotModel& robot, const std::deque<Pose2>& trail,
+                      double wanted_m) {
     const auto& map = *situation.local_map;
     const double step_m = map.getResolution();
     double rear_m = 0.0;
@@ -42,10 +57,38 @@ double known_behind_m(const Situation& situation, const RobotModel& robot, doubl
     for (double back_m = 0.0; back_m < wanted_m; back_m += step_m) {
         const double x = rear_m - back_m - step_m;
         for (double y = -half_m - step_m; y <= half_m + step_m; y += step_m) {
-            if (map.getPos(static_cast<float>(x), static_cast<float>(y)) < p_known_free) return back_m;
+            const double p_free = map.getPos(static_cast<float>(x), static_cast<float>(y));
+            if (p_free >= p_known_free) continue;
+            const bool driven = is_driven(trail, robot, transform(situation.T_map_robot, {x, y}));
+            if (p_free < p_not_occupied || !driven) return back_m;
         }
     }
     return wanted_m;
+}
+
+/// The map without the obstacles that the local map, which forgets, does not show: they may be gone.
+COccupancyGridMap2D without_old_obstacles(COccupancyGridMap2D map, const Situation& situation,
+                                          double p_occupied) {
+    const auto& local = *situation.local_map;
+    const Vector2d here = position(situation.T_map_robot);
+    const Pose2 T_robot_map = inverse(situation.T_map_robot);
+    const double half_m = local.getXMax();
+    const auto index = [&](double m, double low_m, unsigned size) {
+        return std::clamp(static_cast<int>((m - low_m) / map.getResolution()), 0, static_cast<int>(size));
+    };
+    const int x_end = index(here.x() + half_m, map.getXMin(), map.getSizeX());
+    const int y_end = index(here.y() + half_m, map.getYMin(), map.getSizeY());
+    for (int y = index(here.y() - half_m, map.getYMin(), map.getSizeY()); y < y_end; ++y) {
+        for (int x = index(here.x() - half_m, map.getXMin(), map.getSizeX()); x < x_end; ++x) {
+            if (map.getCell(x, y) >= p_occupied) continue;
+            const Vector2d p = transform(T_robot_map, {map.idx2x(x), map.idx2y(y)});
+            if (std::max(std::abs(p.x()), std::abs(p.y())) >= half_m) continue;
+            map.setCell(x, y,
+                        std::max(map.getCell(x, y),
+                                 local.getPos(static_cast<float>(p.x()), static_cast<float>(p.y()))));
+        }
+    }
+    return map;
 }
 
 }  // namespace
@@ -73,6 +116,7 @@ PilotDecision Pilot::decide(const Situation& situation, const mrpt::maps::COccup
         enter(PilotState::Arrived, situation);
         return decision_;
     }
+    note_trail(situation.T_map_robot);
     aim(situation, map);
     if (decision_.state == PilotState::Driving) {
         drive(situation);
@@ -80,6 +124,15 @@ PilotDecision Pilot::decide(const Situation& situation, const mrpt::maps::COccup
         manoeuvre(situation);
     }
     return decision_;
+}
+
+void Pilot::note_trail(const Pose2& T_map_robot) {
+    if (!trail_.empty()) {
+        const Pose2 step = compose(inverse(trail_.back()), T_map_robot);
+        if (position(step).norm() < trail_step_m && std::abs(step.yaw_rad) < trail_step_rad) return;
+    }
+    trail_.push_back(T_map_robot);
+    if (trail_.size() > trail_poses) trail_.pop_front();
 }
 
 bool Pilot::is_at_goal(const Situation& situation) {
@@ -106,7 +159,13 @@ void Pilot::aim(const Situation& situation, const mrpt::maps::COccupancyGridMap2
     decision_.waypoint_m = goals_m_[goal_];
     const bool plans = params_.plan == PlanPolicy::Always || planning_;
     if (!plans || params_.plan == PlanPolicy::Never) return;
-    plan_ = plan(map, position(situation.T_map_robot), goals_m_[goal_], robot_, params_.planner);
+    const Vector2d here = position(situation.T_map_robot);
+    plan_ = plan(map, here, goals_m_[goal_], robot_, params_.planner);
+    if (!plan_->reaches_goal) {
+        const auto hopeful = without_old_obstacles(map, situation, params_.planner.p_occupied);
+        Plan other = plan(hopeful, here, goals_m_[goal_], robot_, params_.planner);
+        if (other.reaches_goal) plan_ = std::move(other);
+    }
     decision_.path_m = plan_->path_m;
     decision_.waypoint_m = plan_->way_point_m;
 }
@@ -249,7 +308,7 @@ void Pilot::turn_to(double yaw_rad, const Situation& situation) {
 
 void Pilot::back_off(const Situation& situation, double far_enough_m) {
     const double done_m = (position(situation.T_map_robot) - position(entered_at_)).norm();
-    const double known_m = known_behind_m(situation, robot_, far_enough_m);
+    const double known_m = known_behind_m(situation, robot_, trail_, far_enough_m);
     decision_.free_m = known_m;
     if (done_m >= far_enough_m || known_m < 0.05) {
         next_of_sequence(situation);

@@ -178,6 +178,27 @@ TEST_F(Pilots, BackOffNoFartherThanTheGroundIsKnown) {
     }
 }
 
+TEST_F(Pilots, GoWhereSomethingStoodWhenThereIsNoOtherWay) {
+    for (float y = -10.0F; y < 10.0F; y += 0.1F) map_.setPos(2.0F, y, 0.0F);
+    const auto way = [this] {
+        return make({}, {{4.0, 0.0}}).decide({0.0, {}, {}, &local_, true}, map_).path_m.back();
+    };
+    EXPECT_NEAR(way().x(), 4.0, 0.2);  // the local map shows it no longer
+    for (float y = -5.0F; y < 5.0F; y += 0.1F) local_.setPos(2.0F, y, 0.0F);
+    EXPECT_LT(way().x(), 2.0);
+}
+
+TEST_F(Pilots, BackOffOverTheWayTheyCame) {
+    Pilot pilot = make({}, {{3.0, 0.0}});
+    while (pose_.x_m < 1.5) step(pilot);
+    local_.fill(0.5F);  // and the map has forgotten it
+    stuck_ = true;
+    while (state_ != PilotState::BackingOff) next_state(pilot);
+    const double before_m = pose_.x_m;
+    next_state(pilot);
+    EXPECT_NEAR(before_m - pose_.x_m, PilotParams().back_off_m, 0.1);
+}
+
 TEST_F(Pilots, ABlindSensorIsNoReasonForManoeuvres) {
     Pilot pilot = make({}, {{3.0, 0.0}});
     stuck_ = true;

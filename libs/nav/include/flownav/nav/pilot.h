@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -77,6 +78,7 @@ class Pilot {
         double to_go_m = 0.0;
     };
 
+    void note_trail(const Pose2& T_map_robot);
     bool is_at_goal(const Situation& situation);
     void aim(const Situation& situation, const mrpt::maps::COccupancyGridMap2D& map);
     void drive(const Situation& situation);
@@ -102,6 +104,7 @@ class Pilot {
     std::optional<double> stuck_since_s_;
     double moved_s_ = 0.0;  ///< when it last moved, or did not want to
     Pose2 moved_to_;
+    std::deque<Pose2> trail_;  ///< where it came from, map frame
     bool planning_ = false;             ///< PlanPolicy::Stuck: until the next goal
     int manoeuvres_ = 0;                ///< since the last progress
     std::vector<PilotState> sequence_;  ///< of the running manoeuvre, the next step last
