@@ -63,7 +63,7 @@ Fault SensorWatch::unseeing() const {
     const FieldStatus status = newest_->status;
     const double unseen_s = newest_->timestamp_s - last_seen_s_;
     const bool waits = status == FieldStatus::Waiting;
-    if (unseen_s > params_.blind_s + (waits ? params_.lost_s : 0.0)) {
+    if (unseen_s > params_.blind_s + (waits ? params_.waiting_s : 0.0)) {
         return {GuardReason::SensorBlind,
                 sentence("no field with enough vectors for ", unseen_s, " s: ", to_string(status))};
     }

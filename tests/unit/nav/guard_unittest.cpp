@@ -160,9 +160,9 @@ TEST(Guard, StopsWhenTheNavigatorHangs) {
 TEST(Guard, StopsWhenOmegaIsLostForLongerThanAMoment) {
     Drive drive = moving();
     const auto lost = [](Tick& tick) { tick.report.status = FieldStatus::Lost; };
-    drive.go(0.2, lost);
+    drive.go(0.1, lost);
     EXPECT_EQ(drive.verdict.action, GuardAction::Pass);
-    drive.go(0.3, lost);
+    drive.go(0.2, lost);
     EXPECT_EQ(drive.verdict.reason, GuardReason::OmegaLost);
     drive.go(3.0);
     EXPECT_EQ(drive.verdict.action, GuardAction::Pass);
