@@ -3,21 +3,26 @@
 #include <cmath>
 
 #include "flownav/nav/make_navigator.h"
+#include "flownav/nav/watchdog.h"
 
 namespace flownav {
 namespace {
+
+constexpr double hung_s = 1.0;  // whatever hangs, the navigator or anything else of the loop
+
+void stop_quietly(nav::RobotBase& robot) {
+    try {
+        robot.stop();
+    } catch (const nav::RobotError&) {
+        // A base that is lost stops by itself.
+    }
+}
 
 /// Tells the robot to stop when it goes, also for an exception.
 class StopAtTheEnd {
   public:
     explicit StopAtTheEnd(nav::RobotBase& robot) : robot_(robot) {}
-    ~StopAtTheEnd() {
-        try {
-            robot_.stop();
-        } catch (const nav::RobotError&) {
-            // A base that is lost stops by itself.
-        }
-    }
+    ~StopAtTheEnd() { stop_quietly(robot_); }
     StopAtTheEnd(const StopAtTheEnd&) = delete;
     StopAtTheEnd& operator=(const StopAtTheEnd&) = delete;
 
@@ -51,11 +56,14 @@ RobotDriveResult drive_robot(const RobotDriveOptions& options, nav::RobotBase& r
         make_pilot(options.config, options.goals_m, options.waypoint_robot_m, options.navlog_directory),
         options.start);
     const StopAtTheEnd stop(robot);
+    nav::Watchdog watchdog([&robot] { stop_quietly(robot); });
+    watchdog.start_watchdog(hung_s);
     const double began_s = options.clock_s();
     RobotDriveResult result;
     Pose2 last = options.start;
     for (int tick = 1;; ++tick) {
         const double now_s = options.clock_s();
+        watchdog.alive();
         if (const auto reading = robot.odometry())
             autopilot.odometry(reading->time_s, reading->T_odom_robot, reading->motion);
         for (const nav::Sensed& sensed : feed.arrived()) autopilot.sensed(sensed);

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
+#include <future>
+
 #include "flownav/sim/vehicle.h"
 
 namespace flownav {
@@ -25,14 +29,18 @@ class IdealBase : public nav::RobotBase {
         return nav::WheelReading{clock_.now_s, vehicle_.pose(), vehicle_.motion()};
     }
     void drive(const MotionCommand& command) override { vehicle_.command(clock_.now_s, command); }
-    void stop() override { ++stops; }
+    void stop() override {
+        if (++stops == 1) stopped_.set_value();
+    }
+    std::future<void> first_stop() { return stopped_.get_future(); }
 
     const sim::Vehicle& vehicle() const { return vehicle_; }
 
     double lost_at_s = 1e9;
-    int stops = 0;
+    std::atomic<int> stops{0};
 
   private:
+    std::promise<void> stopped_;
     sim::Vehicle vehicle_;
     const VirtualClock& clock_;
 };
@@ -116,6 +124,27 @@ TEST_F(RobotDrive, ALostBaseIsAnErrorAndStillToldToStop) {
     base_.lost_at_s = 101.0;
     EXPECT_THROW(drive_robot(options_, base_, feed_), nav::RobotError);
     EXPECT_EQ(base_.stops, 1);
+}
+
+/// Hangs until the base is told to stop.
+class HungFeed : public SensorFeed {
+  public:
+    explicit HungFeed(IdealBase& base) : stopped_(base.first_stop()) {}
+
+    std::vector<nav::Sensed> arrived() override {
+        woken_ = stopped_.wait_for(std::chrono::seconds(60)) == std::future_status::ready;
+        return {};
+    }
+    std::string end() override { return woken_ ? "told to stop" : "forgotten"; }
+
+  private:
+    std::future<void> stopped_;
+    bool woken_ = false;
+};
+
+TEST_F(RobotDrive, TheWatchdogStopsARobotWhoseProgramHangs) {
+    HungFeed feed(base_);
+    EXPECT_EQ(drive_robot(options_, base_, feed).why, "told to stop");
 }
 
 }  // namespace
