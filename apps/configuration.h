@@ -6,11 +6,8 @@
 
 namespace flownav {
 
-/// The defaults, then the values of --config, where there is one, then those of each --set section.key=value.
-/// Throws ConfigError.
-inline Config configuration(const std::string& file, const std::vector<std::string>& settings) {
-    Config config;
-    if (!file.empty()) load_config_file(config, file);
+/// Sets what each --set section.key=value says. Throws ConfigError.
+inline void apply_settings(Config& config, const std::vector<std::string>& settings) {
     for (const std::string& setting : settings) {
         const auto equals = setting.find('=');
         if (equals == std::string::npos) {
@@ -18,6 +15,14 @@ inline Config configuration(const std::string& file, const std::vector<std::stri
         }
         set_config_value(config, setting.substr(0, equals), setting.substr(equals + 1));
     }
+}
+
+/// The defaults, then the values of --config, where there is one, then those of each --set section.key=value.
+/// Throws ConfigError.
+inline Config configuration(const std::string& file, const std::vector<std::string>& settings) {
+    Config config;
+    if (!file.empty()) load_config_file(config, file);
+    apply_settings(config, settings);
     return config;
 }
 

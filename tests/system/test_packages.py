@@ -26,7 +26,9 @@ OF_PACKAGE = {
     "OpenGL": {"libopengl-dev", "libegl-dev"},
     "OpenMP": {"build-essential"},
     "sdformat12": {"libsdformat-dev"},
+    "OpenSSL": {"libssl-dev"},
     "Python3": {"python3"},
+    "tinyxml2": {"libtinyxml2-dev"},
     "ZLIB": {"zlib1g-dev"},
     "flownav": set(),  # the consumer's: ourselves
 }

@@ -1,4 +1,4 @@
-#include "data_uri.h"
+#include "flownav/replay/data_uri.h"
 
 #include <mrpt/system/string_utils.h>
 

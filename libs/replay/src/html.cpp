@@ -1,4 +1,4 @@
-#include "html.h"
+#include "flownav/replay/html.h"
 
 namespace flownav::html {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <functional>
 
-#include "data_uri.h"
 #include "flownav/core/version.h"
+#include "flownav/replay/data_uri.h"
 #include "flownav/replay/fate_style.h"
+#include "flownav/replay/html.h"
 #include "flownav/replay/number_text.h"
-#include "html.h"
-#include "report_assets.h"
+#include "flownav/replay/page_assets.h"
 #include "report_data.h"
 #include "report_series.h"
 #include "report_tables.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "data_uri.h"
+#include "flownav/replay/data_uri.h"
 #include "flownav/replay/fate_style.h"
 #include "flownav/replay/map_picture.h"
 #include "report_series.h"

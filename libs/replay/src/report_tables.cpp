@@ -1,7 +1,7 @@
 #include "report_tables.h"
 
+#include "flownav/replay/html.h"
 #include "flownav/replay/number_text.h"
-#include "html.h"
 #include "report_series.h"
 #include "report_words.h"
 #include "summary_facts.h"

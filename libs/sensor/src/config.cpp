@@ -79,6 +79,19 @@ std::string dump_config(const Config& config) {
     return text;
 }
 
+std::string dump_changes(const Config& config) {
+    std::string text;
+    std::string section;
+    for (const Key& key : key_table()) {
+        const std::string value = key.get(config);
+        if (value == key.doc.default_value) continue;
+        if (key.doc.section != section) text += "[" + key.doc.section + "]\n";
+        section = key.doc.section;
+        text += key.doc.name + " = " + value + "\n";
+    }
+    return text;
+}
+
 std::string document_config() {
     std::string text = "| key | default | allowed | unit | meaning |\n|---|---|---|---|---|\n";
     for (const ConfigKey& doc : config_keys()) {

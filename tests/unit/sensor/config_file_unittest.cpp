@@ -63,6 +63,17 @@ TEST_F(ConfigFile, DumpReadsBackAsTheSameConfiguration) {
     EXPECT_EQ(dump_config(load(dump_config(config))), dump_config(config));
 }
 
+TEST_F(ConfigFile, TheChangesAreTheKeysThatAreNotTheDefaults) {
+    EXPECT_EQ(dump_changes(Config{}), "");
+    Config config;
+    set_config_value(config, "obstacles.tau_px", "1.375");
+    set_config_value(config, "flow.blocks", "200");
+    set_config_value(config, "obstacles.neighbours", "1");
+    const std::string changes = "[flow]\nblocks = 200\n[obstacles]\ntau_px = 1.375\nneighbours = 1\n";
+    EXPECT_EQ(dump_changes(config), changes);
+    EXPECT_EQ(dump_config(load(changes)), dump_config(config));
+}
+
 TEST_F(ConfigFile, KeysThatAreNotThereKeepTheirValues) {
     Config config;
     set_config_value(config, "flow.blocks", "100");

@@ -55,6 +55,9 @@ void load_config_file(Config& config, const std::string& path);
 /// The ini text of a configuration, each key with its documentation.
 std::string dump_config(const Config& config);
 
+/// The ini text of the keys whose values are not the defaults; empty when all are.
+std::string dump_changes(const Config& config);
+
 /// Every key as one table in markdown.
 std::string document_config();
 

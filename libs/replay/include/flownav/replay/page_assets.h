@@ -2,8 +2,8 @@
 
 namespace flownav {
 
-/// What report.html carries so that it opens offline: dygraphs (for the charts over time) with its licence,
-/// and the page's own script and style sheet. Made from those files when flownav is built.
+/// What pages carry so that they open offline: dygraphs (charts) with its licence, the style sheet of all pages,
+/// and the script of report.html. Made from those files when flownav is built.
 extern const char* const dygraphs_script;
 extern const char* const dygraphs_style;
 extern const char* const report_script;

@@ -1,0 +1,44 @@
+#include "figure_text.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace flownav::regress {
+
+namespace {
+
+std::string digits(double value, const char* format) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), format, value);
+    return text.data();
+}
+
+/// As a share of what it was; empty where that makes no sense.
+std::string percent_text(double before, double after) {
+    if (before == 0.0) return "";
+    return " (" + digits(100.0 * (after - before) / std::abs(before), "%+.1f") + " %)";
+}
+
+}  // namespace
+
+std::string value_text(const std::optional<double>& value) {
+    return value ? digits(*value, "%.10g") : "null";
+}
+
+std::string change_text(const std::string& figure, double before, double after) {
+    const double change = after - before;
+    const int verdict = verdict_on(figure_rule(figure, before).better, before, after);
+    return value_text(before) + " -> " + value_text(after) + (change > 0 ? ", up by " : ", down by ") +
+           digits(std::abs(change), "%.6g") + percent_text(before, after) +
+           (verdict > 0   ? ", better"
+            : verdict < 0 ? ", worse"
+                          : "");
+}
+
+std::string tolerance_text(const Tolerance& tolerance) {
+    return tolerance.relative ? digits(100.0 * tolerance.value, "%.6g") + " %"
+                              : digits(tolerance.value, "%.6g");
+}
+
+}  // namespace flownav::regress

@@ -1,0 +1,11 @@
+# Makes pages.cpp in the build folder: the scripts and style sheets that compare.html and sweep.html carry.
+foreach(page compare sweep)
+    string(TOUPPER ${page} PAGE)
+    foreach(kind js css)
+        string(TOUPPER ${kind} KIND)
+        set(file ${CMAKE_CURRENT_SOURCE_DIR}/pages/${page}.${kind})
+        file(READ ${file} ${PAGE}_${KIND})
+        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    endforeach()
+endforeach()
+configure_file(pages.cpp.in pages.cpp @ONLY)

@@ -1,0 +1,53 @@
+#include "regress_app.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "commands.h"
+#include "exit_status.h"
+#include "flownav/replay/output_file.h"
+#include "flownav/sensor/config.h"
+#include "usage_error.h"
+
+namespace flownav {
+
+namespace {
+
+std::optional<std::string> environment(const char* name) {
+    const char* const value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): there is one thread
+    return value == nullptr ? std::nullopt : std::optional<std::string>(value);
+}
+
+int run_command(const regress::Options& options, std::ostream& out, std::ostream& error) {
+    if (options.command == "manifest") return regress::run_manifest(options, out);
+    if (options.command == "run") return regress::run_run(options, out, error);
+    if (options.command == "merge") return regress::run_merge(options, out, error);
+    if (options.command == "check") return regress::run_check(options, out);
+    if (options.command == "accept") return regress::run_accept(options, out);
+    if (options.command == "compare") return regress::run_compare(options, out);
+    return regress::run_sweep(options, out, error);
+}
+
+}  // namespace
+
+int run_regress_app(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& error) {
+    const auto fail = [&error](const std::exception& exception, int status) {
+        error << "flownav-regress: " << exception.what() << '\n';
+        return status;
+    };
+    try {
+        int status = regress::exit_fine;
+        const auto options = regress::parse_options(arguments, environment, out, error, status);
+        return options ? run_command(*options, out, error) : status;
+    } catch (const regress::UsageError& exception) {
+        return fail(exception, regress::exit_usage);
+    } catch (const ConfigError& exception) {
+        return fail(exception, regress::exit_usage);
+    } catch (const OutputError& exception) {
+        return fail(exception, regress::exit_try_again);
+    } catch (const std::filesystem::filesystem_error& exception) {
+        return fail(exception, regress::exit_try_again);
+    }
+}
+
+}  // namespace flownav
