@@ -123,9 +123,9 @@ void check_options(TCLAP::CmdLine& cmd, const std::string& command) {
 }
 
 Keep keep_of(const std::string& word, const std::string& command) {
-    if (word.empty()) return command == "sweep" ? Keep::Figures : Keep::All;
+    if (word.empty()) return command == "sweep" ? Keep::FiguresOnly : Keep::All;
     if (word == "all") return Keep::All;
-    if (word == "figures") return Keep::Figures;
+    if (word == "figures") return Keep::FiguresOnly;
     throw UsageError("--keep " + word + ": must be all or figures");
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <system_error>
 
 #include "flownav/core/version.h"
@@ -35,25 +34,6 @@ std::set<std::string> names_in(const fs::path& folder) {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
         names.insert(entry.path().filename());
     return names;
-}
-
-std::set<std::string> figure_names(const RunResults& results) {
-    std::set<std::string> names;
-    for (const RawlogResult& rawlog : results)
-        for (const auto& [name, value] : rawlog.result.figures) names.insert(name);
-    return names;
-}
-
-std::string csv_row(const RawlogResult& rawlog, const std::set<std::string>& names) {
-    const bool missing = rawlog.outcome == Outcome::Missing;
-    std::string row = rawlog.id + ',' + to_string(rawlog.outcome) + ',' +
-                      (missing ? "" : std::to_string(rawlog.result.status));
-    for (const std::string& name : names) {
-        const auto figure = rawlog.result.figures.find(name);
-        row += ',';
-        if (figure != rawlog.result.figures.end() && figure->second) row += exact_text(figure->second);
-    }
-    return row + '\n';
 }
 
 nlohmann::ordered_json json_of(const RawlogResult& rawlog) {
@@ -143,11 +123,34 @@ std::string merged_json(const RunResults& results) {
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
+std::set<std::string> figure_names(const RunResults& results) {
+    std::set<std::string> names;
+    for (const RawlogResult& rawlog : results)
+        for (const auto& [name, value] : rawlog.result.figures) names.insert(name);
+    return names;
+}
+
+std::string csv_row(const RawlogResult& rawlog, const std::set<std::string>& names) {
+    const bool missing = rawlog.outcome == Outcome::Missing;
+    std::string row = rawlog.id + ',' + to_string(rawlog.outcome) + ',' +
+                      (missing ? "" : std::to_string(rawlog.result.status));
+    for (const std::string& name : names) {
+        const auto figure = rawlog.result.figures.find(name);
+        row += ',';
+        if (figure != rawlog.result.figures.end() && figure->second) row += exact_text(figure->second);
+    }
+    return row + '\n';
+}
+
+std::string csv_head(const std::set<std::string>& names) {
+    std::string head = "id,outcome,status";
+    for (const std::string& name : names) head += ',' + name;
+    return head + '\n';
+}
+
 std::string merged_csv(const RunResults& results) {
     const std::set<std::string> names = figure_names(results);
-    std::string text = "id,outcome,status";
-    for (const std::string& name : names) text += ',' + name;
-    text += '\n';
+    std::string text = csv_head(names);
     for (const RawlogResult& rawlog : results) text += csv_row(rawlog, names);
     return text;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -48,5 +49,12 @@ std::string program_of(const RunResults& results);
 /// results: the same whoever made them, in whatever order.
 std::string merged_json(const RunResults& results);
 std::string merged_csv(const RunResults& results);
+
+/// The names of all figures that these results have.
+std::set<std::string> figure_names(const RunResults& results);
+
+/// A line of a CSV each: the names of the columns, and a rawlog's values.
+std::string csv_head(const std::set<std::string>& names);
+std::string csv_row(const RawlogResult& rawlog, const std::set<std::string>& names);
 
 }  // namespace flownav::regress

@@ -203,7 +203,7 @@ class Runner {
     void store_done(const Running& ended, const Result& result) {
         const fs::path& folder = ended.folder.path();
         fs::remove(folder / messages_name);
-        if (options_.keep == Keep::Figures) keep_figures_only(folder);
+        if (options_.keep == Keep::FiguresOnly) keep_figures_only(folder);
         write_file(folder / result_file, result_text(result));
         Store(ended.job->output).commit_done(ended.folder, result.id, result.key, options_.force);
         ++tally_.replayed;

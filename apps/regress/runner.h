@@ -10,7 +10,7 @@
 
 namespace flownav::regress {
 
-enum class Keep { All, Figures };
+enum class Keep { All, FiguresOnly };
 
 struct RunOptions {
     int jobs = 1;                  ///< replays at the same time
