@@ -62,6 +62,15 @@ struct Arguments {
         "", "vibration", "of the pitch, standard deviation in degrees", false, 0.0, "DEG", cmd};
     TCLAP::ValueArg<double> exposure{
         "", "exposure", "standard deviation of the gain from image to image", false, 0.0, "SHARE", cmd};
+    TCLAP::ValueArg<double> exposure_step{"",
+                                          "exposure-step",
+                                          "by which auto exposure steps up or down every 12 to 24 images",
+                                          false,
+                                          0.0,
+                                          "SHARE",
+                                          cmd};
+    TCLAP::ValueArg<double> flicker{
+        "", "flicker", "amplitude of the lamps' brightness, a fast sine", false, 0.0, "SHARE", cmd};
     TCLAP::ValueArg<double> noise{
         "", "noise", "standard deviation of the pixel noise, grey levels", false, 2.5, "S", cmd};
     TCLAP::ValueArg<std::string> floor{"",           "floor", "what the floor looks like", false, "carpet",
@@ -101,6 +110,8 @@ SceneOptions scene_options(Arguments& arguments) {
     scene.effects.noise_sigma = arguments.noise.getValue();
     scene.effects.grey_step = arguments.grey_step.getValue();
     scene.effects.gain_sigma = arguments.exposure.getValue();
+    scene.effects.exposure_step = arguments.exposure_step.getValue();
+    scene.effects.flicker = arguments.flicker.getValue();
     scene.effects.pitch_vibration_rad = arguments.vibration.getValue() * M_PI / 180.0;
     return scene;
 }

@@ -49,7 +49,7 @@ OF_PROGRAM = {
     "xdotool": {"xdotool"},
     "Xvfb": {"xvfb"},
     "sudo": set(),  # only where one is not root; looked for first
-} | {name: set() for name in "apt-get cat dirname dpkg-query env id mkdir nproc sed".split()}
+} | {name: set() for name in "apt-get cat dirname dpkg-query env id ln mkdir nproc sed".split()}
 # Modules imported by the scripts in Python, beside Python's own.
 OF_MODULE = {"numpy": {"python3-numpy"}, "cv2": {"python3-opencv"}, "selenium": {"python3-selenium"}}
 # Folders of the system that the tests read.
