@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# Installs what is missing of the packages in share/apt-packages.txt; with sudo where needed.
+# Installs what is missing of the packages in share/apt-packages.txt, or in the list given; with sudo where needed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+list=${1:-$here/apt-packages.txt}
 
 missing=()
 while read -r package; do
     status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
     [ "$status" = installed ] || missing+=("$package")
-done < <(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "$here/apt-packages.txt")
+done < <(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "$list")
 [ ${#missing[@]} -gt 0 ] || exit 0
 
 as_root=(env)

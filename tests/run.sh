@@ -5,17 +5,21 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 usage() {
     cat <<END
-usage: tests/run.sh [--quick] [--help]
+usage: tests/run.sh [--quick] [--slurm] [--help]
   --quick   only the optimised build, without the sanitizers
+  --slurm   also installs Slurm, starts a cluster of two nodes on this machine for some minutes and replays on it;
+            skipped where one is not root or the packages cannot be had
 FLOWNAV_DATA names the folder of the optional test data (default: ../shared/data beside the checkout); tests that
 need it are skipped where it is absent. Exit status: 0 every test passed, 1 otherwise.
 END
 }
 
-presets=(release dev)
+slurm=()
+sanitizers=(dev)
 for argument in "$@"; do
     case $argument in
-        --quick) presets=(release) ;;
+        --quick) sanitizers=() ;;
+        --slurm) slurm=(slurm) ;;
         --help | -h) usage && exit 0 ;;
         *) echo "tests/run.sh: unknown argument $argument" >&2 && usage >&2 && exit 1 ;;
     esac
@@ -40,12 +44,22 @@ run_preset() {
     cmake --preset "$1" && cmake --build --preset "$1" && ctest --preset "$1" --parallel "$jobs"
 }
 
-for preset in "${presets[@]}"; do
+run_step() {
+    if [ "$1" = slurm ]; then
+        tests/system/install_slurm.sh && python3 tests/system/test_slurm.py build/release
+    else
+        run_preset "$1"
+    fi
+}
+
+for step in release "${slurm[@]}" "${sanitizers[@]}"; do
     start=$SECONDS
     outcome=passed
-    run_preset "$preset" || outcome=FAILED
-    [ "$outcome" = passed ] || failed=1
-    summary+=("$preset: $outcome after $((SECONDS - start)) s")
+    run_step "$step" || case $step:$? in
+        slurm:77) outcome=SKIPPED ;;
+        *) outcome=FAILED && failed=1 ;;
+    esac
+    summary+=("$step: $outcome after $((SECONDS - start)) s")
 done
 
 echo

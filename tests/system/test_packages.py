@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
-"""share/apt-packages.txt covers what the build, the scripts and the tests use, and nothing else.
+"""share/apt-packages.txt covers what the build, the scripts and the tests use, and nothing else; what only Slurm takes
+stands in share/slurm/apt-packages.txt.
 Run by ctest as test_packages.py ROOT."""
 
 import re
 import sys
 import unittest
 from pathlib import Path
+
+from slurm_cluster import PROGRAMS as PROGRAMS_OF_THE_CLUSTER
 
 # What find_package() finds, and the Debian packages that bring it.
 OF_PACKAGE = {
@@ -32,6 +35,16 @@ OF_PACKAGE = {
     "ZLIB": {"zlib1g-dev"},
     "flownav": set(),  # the consumer's: ourselves
 }
+# What the scripts of share/slurm call, and the cluster that tests them.
+OF_SLURM = {
+    "munged": {"munge"},
+    "sbatch": {"slurm-client"},
+    "scontrol": {"slurm-client"},
+    "sinfo": {"slurm-client"},
+    "slurmctld": {"slurmctld"},
+    "slurmd": {"slurmd"},
+    "squeue": {"slurm-client"},
+}
 # Programs called by scripts, by find_program() and by ctest, and files that find_file() finds. Every Debian has those of no package here.
 OF_PROGRAM = {
     "ccache": {"ccache"},
@@ -43,13 +56,16 @@ OF_PROGRAM = {
     "dygraph.min.css": {"libjs-dygraphs"},
     "dygraph.min.js": {"libjs-dygraphs"},
     "g++": {"build-essential"},
+    "parallel": {"parallel"},
     "python3": {"python3"},
     "rawlog-edit": {"mrpt-apps"},
     "rawlog-grabber": {"mrpt-apps"},
     "xdotool": {"xdotool"},
     "Xvfb": {"xvfb"},
     "sudo": set(),  # only where one is not root; looked for first
-} | {name: set() for name in "apt-get cat dirname dpkg-query env id ln mkdir nproc sed".split()}
+}
+EVERYWHERE = "apt-get awk cat chmod dirname dpkg-query env grep id ln mkdir mktemp mv nproc realpath rm rmdir sed tr"
+OF_PROGRAM |= {name: set() for name in [*EVERYWHERE.split(), *OF_SLURM]}  # those of Slurm have a list of their own
 # Modules imported by the scripts in Python, beside Python's own.
 OF_MODULE = {"numpy": {"python3-numpy"}, "cv2": {"python3-opencv"}, "selenium": {"python3-selenium"}}
 # Folders of the system that the tests read.
@@ -80,6 +96,7 @@ def programs_called(script):
     code = re.sub(r"<<-?\s*['\"]?(\w+)['\"]?.*?\n\1\n", "\n", script + "\n", flags=re.DOTALL)
     code = re.sub(r"(^|\s)#.*", r"\1", code)
     code = re.sub(r"\\\n", " ", code)
+    code = re.sub(r"\$\(\(.*?\)\)", "", code)  # arithmetic
     substituted = re.findall(r"\$\(\s*(?!\()([^\s()]+)", code)  # also those inside strings
     functions = set(re.findall(r"^\s*(\w+)\s*\(\)", code, re.MULTILINE))
     code = re.sub(r"'[^']*'", "''", code)
@@ -132,7 +149,7 @@ class Packages(unittest.TestCase):
             more_packages, more_programs = cmake_needs(text)
             packages |= more_packages
             programs |= more_programs
-        for text in self.texts("*.sh"):
+        for text in self.texts("*.sh", "*.sbatch"):
             programs |= programs_called(text)
         own = {file.stem for file in self.files("*.py")}
         for text in self.texts("*.py"):
@@ -152,9 +169,16 @@ class Packages(unittest.TestCase):
         self.assertEqual(sorted(needed - set(listed)), [], "missing in share/apt-packages.txt")
         self.assertEqual(sorted(set(listed) - needed), [], "listed in share/apt-packages.txt, but not needed")
 
+    def test_the_list_for_slurm_is_what_its_scripts_and_their_test_need(self):
+        listed = packages_listed((self.ROOT / "share/slurm/apt-packages.txt").read_text())
+        called = set(PROGRAMS_OF_THE_CLUSTER)
+        for text in self.texts("*.sh", "*.sbatch"):
+            called |= programs_called(text) & set(OF_SLURM)
+        self.assertEqual(sorted(listed), sorted(unknown_and_needed(called, OF_SLURM)[1]))
+
     def test_the_scripts_are_looked_into(self):
         programs = self.needs()[1]
-        self.assertLessEqual({"apt-get", "cmake", "ctest", "dpkg-query", "nproc"}, programs)
+        self.assertLessEqual({"apt-get", "cmake", "ctest", "dpkg-query", "nproc", "sbatch", "scontrol"}, programs)
 
     def test_calls_are_found_wherever_they_stand(self):
         script = """#!/bin/bash
@@ -173,6 +197,7 @@ END
                 a | -b) twenty-one ;;
             esac
             list=(no no) && list+=("no")
+            sum=$((no < two ? no : two)) "$((no + 1))"
         """
         expected = "three four five six seven eight ten fifteen sixteen seventeen cat nineteen twenty twenty-one".split()
         self.assertEqual(programs_called(script), set(expected))

@@ -1,0 +1,160 @@
+"""A Slurm cluster of two nodes on this machine: real daemons, loopback only, everything in one folder. It touches
+nothing of a Slurm or munge that is installed for the machine itself."""
+
+import contextlib
+import os
+import shutil
+import socket
+import subprocess
+import time
+
+PROGRAMS = ["munged", "slurmctld", "slurmd", "sbatch", "scontrol", "sinfo", "squeue"]
+NODES = ["n1", "n2"]
+SECONDS_TO_START = 30
+SECONDS_TO_STOP = 10
+SECONDS_BETWEEN_LOOKS = 0.1
+
+# cred_expire: a task that is queued again waits that long. Nodes of less weight get tasks first. config_overrides: a node
+# need not have what is said of it.
+CONFIG = """
+ClusterName=flownav
+SlurmctldHost={host}(127.0.0.1)
+SlurmctldPort={ports[slurmctld]}
+SlurmUser=root
+SlurmdUser=root
+AuthType=auth/munge
+AuthInfo=socket={folder}/munge.socket,cred_expire=10
+CommunicationParameters=NoInAddrAny,NoCtldInAddrAny
+StateSaveLocation={folder}/state
+SlurmctldPidFile={folder}/slurmctld.pid
+SlurmctldLogFile={folder}/slurmctld.log
+SlurmdSpoolDir={folder}/spool.%n
+SlurmdPidFile={folder}/slurmd.%n.pid
+SlurmdLogFile={folder}/slurmd.%n.log
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+MpiDefault=none
+JobAcctGatherType=jobacct_gather/none
+AccountingStorageType=accounting_storage/none
+JobCompType=jobcomp/filetxt
+JobCompLoc={folder}/completed.txt
+SelectType=select/cons_tres
+SelectTypeParameters=CR_CPU
+SchedulerParameters=batch_sched_delay=0,sched_min_interval=10000,bf_interval=1
+ReturnToService=2
+SlurmdParameters=config_overrides
+SlurmdTimeout=10
+KillWait=2
+MinJobAge=3600
+JobRequeue=1
+NodeName=n1 NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[n1]} CPUs=2 RealMemory=16000 Weight=2
+NodeName=n2 NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[n2]} CPUs=2 RealMemory=16000 Weight=1
+PartitionName=all Nodes=n1,n2 Default=YES MaxTime=INFINITE State=UP
+"""
+
+
+def missing_programs():
+    path = os.environ["PATH"] + ":/usr/sbin"
+    return [program for program in PROGRAMS if not shutil.which(program, path=path)]
+
+
+def free_ports(names):
+    """A port that nobody listens on for each name."""
+    with contextlib.ExitStack() as open_sockets:
+        ports = {}
+        for name in names:
+            listener = open_sockets.enter_context(socket.socket())
+            listener.bind(("127.0.0.1", 0))
+            ports[name] = listener.getsockname()[1]
+    return ports
+
+
+def wait_until(condition, seconds, what):
+    """Looks again and again; returns what the condition returned, raises when it stays false."""
+    deadline = time.monotonic() + seconds
+    while not (answer := condition()):
+        if time.monotonic() > deadline:
+            raise TimeoutError(f"not within {seconds} s: {what}")
+        time.sleep(SECONDS_BETWEEN_LOOKS)
+    return answer
+
+
+class SlurmCluster:
+    def __init__(self, folder):
+        self.folder = folder
+        self.daemons = {}
+        folder.mkdir(parents=True)
+        folder.chmod(0o755)  # munged refuses folders that others may write
+        (folder / "state").mkdir()
+        config = CONFIG.format(host=socket.gethostname().split(".")[0], folder=folder,
+                               ports=free_ports(["slurmctld", *NODES]))  # fmt: skip
+        (folder / "slurm.conf").write_text(config)
+
+    def start(self):
+        self.start_munged()
+        self.start_daemon("slurmctld", ["slurmctld", "-D", "-f", self.folder / "slurm.conf"])
+        for node in NODES:
+            self.start_node(node)
+        self.wait_for_state(NODES, "idle", SECONDS_TO_START)
+
+    def start_munged(self):
+        key, munge_socket = self.folder / "munge.key", self.folder / "munge.socket"
+        key.touch(mode=0o600)
+        key.write_bytes(os.urandom(1024))
+        self.start_daemon("munged", ["munged", "--foreground", "--force", f"--socket={munge_socket}",
+                                     f"--key-file={key}", f"--pid-file={self.folder}/munge.pid",
+                                     f"--log-file={self.folder}/munge.log",
+                                     f"--seed-file={self.folder}/munge.seed"])  # fmt: skip
+        wait_until(munge_socket.exists, SECONDS_TO_START, "munged answers")
+
+    def start_node(self, node):
+        """In a name space of processes of its own: when its first one is killed, everything on the node is gone."""
+        (self.folder / f"spool.{node}").mkdir(exist_ok=True)
+        self.start_daemon(node, ["unshare", "--pid", "--fork", "--mount-proc", "--kill-child",
+                                 "slurmd", "-D", "-f", self.folder / "slurm.conf", "-N", node])  # fmt: skip
+
+    def start_daemon(self, name, command):
+        """Ends with this process, whatever ends that."""
+        with open(self.folder / f"{name}.out", "wb") as out:
+            self.daemons[name] = subprocess.Popen(["setpriv", "--pdeathsig", "KILL", *command], env=self.environment(),
+                                                  stdin=subprocess.DEVNULL, stdout=out, stderr=out)  # fmt: skip
+
+    def environment(self):
+        """Without what a Slurm of the machine may have set."""
+        foreign = ("SLURM", "SBATCH", "SQUEUE", "SINFO", "SCONTROL")
+        kept = {name: value for name, value in os.environ.items() if not name.startswith(foreign)}
+        return dict(kept, SLURM_CONF=str(self.folder / "slurm.conf"), PATH=os.environ["PATH"] + ":/usr/sbin")
+
+    def ask(self, *command):
+        """What a command of Slurm says; None when it failed."""
+        done = subprocess.run(command, env=self.environment(), stdin=subprocess.DEVNULL, capture_output=True,
+                              text=True, timeout=SECONDS_TO_START, check=False)  # fmt: skip
+        return done.stdout.strip() if done.returncode == 0 else None
+
+    def wait_for_state(self, nodes, state, seconds):
+        def reached():
+            states = [self.ask("sinfo", "-h", "-n", node, "-o", "%T") for node in nodes]
+            return all(found and found.startswith(state) for found in states)
+
+        wait_until(reached, seconds, f"{', '.join(nodes)} {state}")
+
+    def wait_for_jobs(self, seconds):
+        """Until no job is queued or under way."""
+        wait_until(lambda: self.ask("squeue", "-h", "-r", "-o", "%i") == "", seconds, "all jobs have ended")
+
+    def job(self, number):
+        """What scontrol knows of a job: names and values."""
+        words = (self.ask("scontrol", "-o", "show", "job", str(number)) or "").split()
+        return dict(word.split("=", 1) for word in words if "=" in word)
+
+    def lose_node(self, node):
+        """As if its power had failed."""
+        self.end(self.daemons.pop(node))
+
+    def end(self, daemon):
+        daemon.kill()
+        daemon.wait(SECONDS_TO_STOP)
+
+    def close(self):
+        while self.daemons:
+            self.end(self.daemons.popitem()[1])
