@@ -39,7 +39,7 @@ case ${1:-} in
 esac
 [ $# -ge 2 ] || { usage >&2 && exit 1; }
 manifest=$(realpath "$1")
-output=$(realpath "$2")
+output=$(realpath --canonicalize-missing "$2")
 shift 2
 wanted=()
 options=()
@@ -50,12 +50,13 @@ for argument in "$@"; do
     esac
 done
 
-FLOWNAV_REGRESS=$(realpath --no-symlinks "$(command -v "$regress")") || fail "there is no $regress: put it into PATH, or set FLOWNAV_REGRESS"
+regress=$(command -v "$regress") || fail "there is no $regress: put it into PATH, or set FLOWNAV_REGRESS"
+FLOWNAV_REGRESS=$(realpath --no-symlinks "$regress")
 rawlogs=$(grep -cE '^[[:space:]]*[^#[:space:]]' "$manifest") || fail "$manifest: no rawlog in it"
 # As a rule a shard is one line of the manifest, and what merge --missing prints are tasks.
 shards=$((rawlogs < most_shards ? rawlogs : most_shards))
 mkdir -p "$output/log"
-array=$(tasks)
+array=$(tasks) || fail "cannot tell what is missing"
 if [ -z "$array" ]; then
     echo "Nothing to do."
     exit 0

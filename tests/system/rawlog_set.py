@@ -26,7 +26,6 @@ if trouble "freeze-on-${SLURMD_NODENAME:-here}"; then  # in the middle of a repl
 fi
 if trouble "hang-$id"; then exec tail -f /dev/null; fi
 if trouble "unwritable-$id"; then echo "no space left" >&2; exit 3; fi
-if trouble "wait-for-$id"; then cat "$here/../trouble/wait-for-$id" > /dev/null; fi
 exec "$here/real-replay" "$@"
 """
 

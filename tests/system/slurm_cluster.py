@@ -6,13 +6,13 @@ import os
 import shutil
 import socket
 import subprocess
-import time
+
+from waiting import wait_until
 
 PROGRAMS = ["munged", "slurmctld", "slurmd", "sbatch", "scontrol", "sinfo", "squeue"]
 NODES = ["n1", "n2"]
 SECONDS_TO_START = 30
 SECONDS_TO_STOP = 10
-SECONDS_BETWEEN_LOOKS = 0.1
 
 # cred_expire: a task that is queued again waits that long. Nodes of less weight get tasks first. config_overrides: a node
 # need not have what is said of it.
@@ -67,16 +67,6 @@ def free_ports(names):
             listener.bind(("127.0.0.1", 0))
             ports[name] = listener.getsockname()[1]
     return ports
-
-
-def wait_until(condition, seconds, what):
-    """Looks again and again; returns what the condition returned, raises when it stays false."""
-    deadline = time.monotonic() + seconds
-    while not (answer := condition()):
-        if time.monotonic() > deadline:
-            raise TimeoutError(f"not within {seconds} s: {what}")
-        time.sleep(SECONDS_BETWEEN_LOOKS)
-    return answer
 
 
 class SlurmCluster:

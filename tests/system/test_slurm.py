@@ -12,7 +12,8 @@ import unittest
 from pathlib import Path
 
 from rawlog_set import COUNT, RawlogSet, name, run
-from slurm_cluster import SlurmCluster, missing_programs, wait_until
+from slurm_cluster import SlurmCluster, missing_programs
+from waiting import wait_until
 
 SKIPPED = 77
 ROOT = Path(__file__).resolve().parents[2]
@@ -60,14 +61,15 @@ class Slurm(unittest.TestCase):
         say(cls.began, "all tasks have ended")
         cls.first_outcome = {name(k): cls.rawlogs.outcome(cls.output, name(k)) for k in range(COUNT)}
         cls.first_calls = cls.rawlogs.calls()
-        cls.missing = cls.rawlogs.regress("merge", "--manifest", cls.rawlogs.manifest, "--output", cls.output, "--missing")
+        both = ["--manifest", cls.rawlogs.manifest, "--output", cls.output]
+        cls.missing = cls.rawlogs.regress("merge", *both, "--missing")
 
     @classmethod
     def resume(cls):
         cls.rawlogs.no_trouble(f"unwritable-{name(UNWRITABLE)}")
         cls.second = cls.submit("--missing")
         cls.cluster.wait_for_jobs(SECONDS_TO_END)
-        cls.second_calls = cls.rawlogs.calls()[len(cls.first_calls):]  # fmt: skip
+        cls.second_calls = cls.rawlogs.calls()[len(cls.first_calls) :]
 
     @classmethod
     def replay_without_cluster(cls):
@@ -103,6 +105,12 @@ class Slurm(unittest.TestCase):
     def test_what_cannot_be_written_is_tried_again_but_not_for_ever(self):
         self.assertEqual(self.attempts(UNWRITABLE), ["n1", "n1"])
         self.assertEqual(self.first_outcome[name(UNWRITABLE)], [])
+
+    def test_a_task_that_loses_node_after_node_is_not_tried_for_ever(self):
+        task = {"SLURM_RESTART_COUNT": "2", "RETRIES": "1", "FLOWNAV_REGRESS": "true"}
+        done = run(["bash", ROOT / "share/slurm/replay.sbatch"], env=dict(os.environ, **task))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("at most 1 are allowed", done.stderr)
 
     def test_the_merge_job_runs_all_the_same_and_tells_that_something_is_missing(self):
         for job in (self.first, self.second):
