@@ -6,6 +6,7 @@
 
 #include "exit_status.h"
 #include "expectation.h"
+#include "figure_text.h"
 #include "flownav/replay/output_file.h"
 #include "junit.h"
 #include "manifest.h"
@@ -27,10 +28,6 @@ std::vector<Item> part_of(const std::vector<Item>& items, const std::optional<Sh
     for (std::size_t k = 0; k < items.size(); ++k)
         if (shard->has(k)) part.push_back(items[k]);
     return part;
-}
-
-std::string count_text(std::size_t number, const char* noun) {
-    return std::to_string(number) + ' ' + noun + (number == 1 ? "" : "s");
 }
 
 /// Writes merged.json and merged.csv.

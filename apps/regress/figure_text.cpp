@@ -36,9 +36,17 @@ std::string change_text(const std::string& figure, double before, double after) 
                           : "");
 }
 
+std::string difference_text(double before, double after) {
+    return digits(after - before, "%+.6g") + percent_text(before, after);
+}
+
 std::string tolerance_text(const Tolerance& tolerance) {
     return tolerance.relative ? digits(100.0 * tolerance.value, "%.6g") + " %"
                               : digits(tolerance.value, "%.6g");
+}
+
+std::string count_text(std::size_t number, const std::string& noun) {
+    return std::to_string(number) + ' ' + noun + (number == 1 ? "" : "s");
 }
 
 }  // namespace flownav::regress

@@ -5,17 +5,6 @@
 
 namespace flownav::regress {
 
-namespace {
-
-/// Inside a script element "</" would end it.
-std::string inside_script(std::string json) {
-    for (auto at = json.find("</"); at != std::string::npos; at = json.find("</", at + 3))
-        json.insert(at + 1, "\\");
-    return json;
-}
-
-}  // namespace
-
 std::string page(const std::string& title, const std::string& body, const std::string& data,
                  const PageAssets& assets) {
     const std::string name = html::escaped(title);
@@ -27,7 +16,7 @@ std::string page(const std::string& title, const std::string& body, const std::s
            html::escaped(version()) +
            ". What it means: share/doc/regression.md of flownav.</footer>\n"
            "<script type='application/json' id='data'>" +
-           inside_script(data) + "</script>\n<script>" + dygraphs_script + "</script>\n<script>" +
+           html::inside_script(data) + "</script>\n<script>" + dygraphs_script + "</script>\n<script>" +
            assets.script + "</script>\n</body>\n</html>\n";
 }
 

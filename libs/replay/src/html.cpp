@@ -42,6 +42,18 @@ std::string escaped(const std::string& text) {
     return result;
 }
 
+std::string inside_script(const std::string& json) {
+    std::string text;
+    for (const char c : json) {
+        if (c == '<') {
+            text += "\\u003c";
+        } else {
+            text += c;
+        }
+    }
+    return text;
+}
+
 std::string paragraph(const std::string& text) {
     return "<p>" + escaped(text) + "</p>\n";
 }

@@ -6,6 +6,7 @@
 
 #include "flownav/replay/data_uri.h"
 #include "flownav/replay/fate_style.h"
+#include "flownav/replay/html.h"
 #include "flownav/replay/map_picture.h"
 #include "report_series.h"
 #include "summary_facts.h"
@@ -161,19 +162,6 @@ Json pictures_json(const Drive& drive) {
     return pictures;
 }
 
-/// '<' may stand in strings only, and must not end the element.
-std::string inside_script(const std::string& json) {
-    std::string text;
-    for (const char c : json) {
-        if (c == '<') {
-            text += "\\u003c";
-        } else {
-            text += c;
-        }
-    }
-    return text;
-}
-
 }  // namespace
 
 std::string report_data(const Drive& drive, const mrpt::maps::COccupancyGridMap2D& map,
@@ -186,7 +174,7 @@ std::string report_data(const Drive& drive, const mrpt::maps::COccupancyGridMap2
     data["map"] = map_json(drive, map);
     data["pictures"] = pictures_json(drive);
     data["timing"] = timing == nullptr ? Json(nullptr) : timing_facts(*timing);
-    return inside_script(data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    return html::inside_script(data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 }  // namespace flownav

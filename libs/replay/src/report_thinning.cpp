@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "report_series.h"
+#include "flownav/replay/chart.h"
 
 namespace flownav {
 

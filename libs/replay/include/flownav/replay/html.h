@@ -8,6 +8,10 @@ namespace flownav::html {
 /// Text with the characters replaced that mean something in HTML.
 std::string escaped(const std::string& text);
 
+/// JSON that cannot end the script element around it, nor open a comment there: '<', which may stand in
+/// strings only, becomes its number.
+std::string inside_script(const std::string& json);
+
 std::string paragraph(const std::string& text);
 
 /// Content, which is HTML, under a heading.
