@@ -50,8 +50,8 @@ for argument in "$@"; do
     esac
 done
 
-regress=$(command -v "$regress") || fail "there is no $regress: put it into PATH, or set FLOWNAV_REGRESS"
-FLOWNAV_REGRESS=$(realpath --no-symlinks "$regress")
+program=$(command -v "$regress") || fail "there is no $regress: put it into PATH, or set FLOWNAV_REGRESS"
+FLOWNAV_REGRESS=$(realpath --no-symlinks "$program")
 rawlogs=$(grep -cE '^[[:space:]]*[^#[:space:]]' "$manifest") || fail "$manifest: no rawlog in it"
 # As a rule a shard is one line of the manifest, and what merge --missing prints are tasks.
 shards=$((rawlogs < most_shards ? rawlogs : most_shards))
