@@ -8,6 +8,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double seen_obstacle = 0.36;  // by a point that is surely in its cell; two cycles make it occupied
+constexpr double says_nothing = 0.5;
 constexpr double seen_floor = 0.57;  // weaker: a block of floor before a thin leg says little about the leg
 
 /// A point whose range is uncertain by more than half a cell says less about that one cell.
@@ -40,6 +41,17 @@ void add_floor(const CellFrame& frame, const Vector2d& near, const Vector2d& far
     }
 }
 
+/// A point says that its cell is occupied, and nothing of the cells that it may be in as well: a thin leg on
+/// the border of two cells is seen now in one, now in the other, and floor beside it must not outvote it.
+void add_point(const CellFrame& frame, const Vector2d& p, double p_free_there,
+               std::vector<Evidence>& evidence) {
+    const double half_m = frame.cell_m / 2;
+    for (const double dx : {-half_m, half_m})
+        for (const double dy : {-half_m, half_m})
+            evidence.push_back({frame.cell_of(p + Vector2d(dx, dy)), says_nothing});
+    evidence.push_back({frame.cell_of(p), p_free_there});
+}
+
 }  // namespace
 
 std::vector<Evidence> evidence_of(const ObstacleSet& set, const Pose2& T_frame_robot,
@@ -48,7 +60,7 @@ std::vector<Evidence> evidence_of(const ObstacleSet& set, const Pose2& T_frame_r
     for (const ObstaclePoint& point : set.points) {
         if (point.moving) continue;
         const Vector2d p = transform(T_frame_robot, point.position_m.head<2>());
-        evidence.push_back({frame.cell_of(p), p_free(point, frame.cell_m)});
+        add_point(frame, p, p_free(point, frame.cell_m), evidence);
     }
     for (const GroundPatch& patch : set.ground) {
         add_floor(frame, transform(T_frame_robot, patch.near_m), transform(T_frame_robot, patch.far_m),
@@ -56,6 +68,8 @@ std::vector<Evidence> evidence_of(const ObstacleSet& set, const Pose2& T_frame_r
     }
     std::sort(evidence.begin(), evidence.end());
     evidence.erase(std::unique(evidence.begin(), evidence.end()), evidence.end());
+    const auto is_silent = [](const Evidence& e) { return e.p_free == says_nothing; };
+    evidence.erase(std::remove_if(evidence.begin(), evidence.end(), is_silent), evidence.end());
     return evidence;
 }
 

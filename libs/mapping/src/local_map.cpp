@@ -11,6 +11,10 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector2i;
 
+// Of being FREE, in thousandths: what was seen to be free for long becomes occupied after two or three sights
+// too.
+constexpr int log_odds_max = 800;
+
 int thousandths(double p_free) {
     return static_cast<int>(std::lround(1000.0 * std::log(p_free / (1.0 - p_free))));
 }
@@ -36,19 +40,18 @@ LocalMap::LocalMap(const MapParams& params)
             static_cast<float>(params.resolution_m)) {}
 
 void LocalMap::insert(const ObstacleSet& set) {
+    while (!history_.empty() && set.timestamp_s - history_.front().timestamp_s > params_.memory_s) {
+        forget(history_.front());
+        history_.pop_front();
+    }
     const CellFrame frame{Vector2d::Zero(), params_.resolution_m};
     const Vector2i middle = frame.cell_of({set.T_map_robot.x_m, set.T_map_robot.y_m});
     Remembered remembered{set.timestamp_s, ++sets_, {}};
     for (const Evidence& e : evidence_of(set, set.T_map_robot, frame)) {
         if ((e.cell - middle).cwiseAbs().maxCoeff() >= side_ / 2) continue;
-        remembered.entries.push_back({e.cell, thousandths(e.p_free)});
-        add(remembered.entries.back());
+        remembered.entries.push_back({e.cell, add({e.cell, thousandths(e.p_free)})});
     }
     history_.push_back(std::move(remembered));
-    while (set.timestamp_s - history_.front().timestamp_s > params_.memory_s) {
-        forget(history_.front());
-        history_.pop_front();
-    }
     movers_m_.clear();
     for (const ObstaclePoint& point : set.points) {
         if (point.moving) movers_m_.push_back(transform(set.T_map_robot, point.position_m.head<2>()));
@@ -91,10 +94,12 @@ int LocalMap::log_odds(const Vector2i& index) const {
     return cell.index == index ? cell.log_odds : 0;
 }
 
-void LocalMap::add(const Entry& entry) {
+int LocalMap::add(const Entry& entry) {
     Cell& cell = place(entry.index);
     if (cell.index != entry.index) cell = {entry.index, 0, sets_};
-    cell.log_odds += entry.log_odds;
+    const int before = cell.log_odds;
+    cell.log_odds = std::min(before + entry.log_odds, std::max(before, log_odds_max));
+    return cell.log_odds - before;
 }
 
 void LocalMap::forget(const Remembered& old) {

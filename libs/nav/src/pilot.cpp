@@ -16,6 +16,7 @@ constexpr double progress_m = 0.15;      // nearer by this much is progress
 constexpr double turned_rad = 0.06;      // near enough to a wanted heading
 constexpr double manoeuvre_max_s = 8.0;  // a step that takes longer is given up
 constexpr double place_ahead_m = 0.3;    // along the plan: where a stuck robot wanted to go
+constexpr double freed_m = 0.5;          // a follower that has come so far is stuck no more
 constexpr double moved_m = 0.02;         // less is standing
 constexpr double moved_rad = 0.04;       // likewise
 constexpr double trail_step_m = 0.1;
@@ -94,8 +95,9 @@ COccupancyGridMap2D without_old_obstacles(COccupancyGridMap2D map, const Situati
 }  // namespace
 
 const char* to_string(PilotState state) {
-    constexpr std::array<const char*, 7> words = {
-        "driving", "turning_to_way", "looking_left", "looking_right", "backing_off", "arrived", "blocked"};
+    constexpr std::array<const char*, 8> words = {"driving",       "turning_to_way", "looking_left",
+                                                  "looking_right", "backing_off",    "creeping_on",
+                                                  "arrived",       "blocked"};
     return words[static_cast<std::size_t>(state)];
 }
 
@@ -178,7 +180,6 @@ void Pilot::drive(const Situation& situation) {
     decision_.command = wanted.command;
     decision_.free_m = wanted.free_m;
     decision_.why = wanted.why;
-    if (waypoint_robot_m_) return;  // there is no arriving, and no progress
     note_progress(situation);
     if (!wanted.stuck) stuck_since_s_.reset();
     if (wanted.stuck && !stuck_since_s_) stuck_since_s_ = situation.time_s;
@@ -209,6 +210,11 @@ bool Pilot::is_held(const Situation& situation) {
 }
 
 void Pilot::note_progress(const Situation& situation) {
+    if (waypoint_robot_m_) {  // the way point comes no nearer: moving on is progress
+        best_.time_s = situation.time_s;
+        if (position(compose(inverse(entered_at_), situation.T_map_robot)).norm() > freed_m) manoeuvres_ = 0;
+        return;
+    }
     // A plan that is found to be closed makes the rest longer: measured against the new one from then on.
     const double to_go_m =
         plan_ ? length_m(plan_->path_m) : (goals_m_[goal_] - position(situation.T_map_robot)).norm();
@@ -227,18 +233,26 @@ void Pilot::begin_manoeuvre(const Situation& situation) {
         return;
     }
     if (manoeuvres_ > 1) avoid_this_place(situation);
+    sequence_ = waypoint_robot_m_ ? sequence_of_follower() : sequence_to_goal();
+    next_of_sequence(situation);
+}
+
+/// The next step last.
+std::vector<PilotState> Pilot::sequence_to_goal() const {
     switch (manoeuvres_ % 3) {
         case 1:
-            sequence_ = {PilotState::TurningToWay};
-            break;
+            return {PilotState::TurningToWay};
         case 2:
-            sequence_ = {PilotState::TurningToWay, PilotState::BackingOff};
-            break;
+            return {PilotState::TurningToWay, PilotState::BackingOff};
         default:
-            sequence_ = {PilotState::TurningToWay, PilotState::LookingRight, PilotState::LookingLeft};
-            break;
+            return {PilotState::TurningToWay, PilotState::LookingRight, PilotState::LookingLeft};
     }
-    next_of_sequence(situation);
+}
+
+/// What pulls it to its way point has brought it here: it goes on turned away from that. The next step last.
+std::vector<PilotState> Pilot::sequence_of_follower() const {
+    const PilotState away = waypoint_robot_m_->y() > 0.0 ? PilotState::LookingRight : PilotState::LookingLeft;
+    return {away, manoeuvres_ % 2 == 1 ? PilotState::BackingOff : PilotState::CreepingOn};
 }
 
 /// Where it wanted to go, and could not twice.
@@ -285,10 +299,13 @@ void Pilot::manoeuvre(const Situation& situation) {
             break;
         }
         case PilotState::LookingLeft:
-            turn_to(yaw_rad + params_.look_rad, situation);
+            turn_to(yaw_rad + (waypoint_robot_m_ ? params_.away_rad : params_.look_rad), situation);
             break;
         case PilotState::LookingRight:
-            turn_to(yaw_rad - 2.0 * params_.look_rad, situation);
+            turn_to(yaw_rad - (waypoint_robot_m_ ? params_.away_rad : 2.0 * params_.look_rad), situation);
+            break;
+        case PilotState::CreepingOn:
+            creep_on(situation);
             break;
         default:
             back_off(situation, params_.back_off_m);
@@ -315,6 +332,14 @@ void Pilot::back_off(const Situation& situation, double far_enough_m) {
         return;
     }
     decision_.command.v_mps = -robot_.v_back_mps;
+}
+
+void Pilot::creep_on(const Situation& situation) {
+    if ((position(situation.T_map_robot) - position(entered_at_)).norm() >= params_.creep_on_m) {
+        next_of_sequence(situation);
+        return;
+    }
+    decision_.command.v_mps = std::min(params_.creep_mps, robot_.v_max_mps);
 }
 
 }  // namespace flownav::nav

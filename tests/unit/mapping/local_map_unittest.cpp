@@ -86,5 +86,28 @@ TEST(LocalMap, WhatLeftTheMapAndCameBackIsNotForgottenTwice) {
     EXPECT_EQ(occupancy(map.grid(), 0.85, 0.05), before);
 }
 
+const GroundPatch floor_ahead{{1.0, 0.0}, {3.0, 0.0}, 0.6};
+
+TEST(LocalMap, WhatWasSeenToBeFreeForLongBecomesOccupiedSoonToo) {
+    LocalMap map({});
+    for (int i = 0; i < 30; ++i) map.insert({0.2 * i, {}, {}, {floor_ahead}});
+    EXPECT_LT(occupancy(map.grid(), 2.05, 0.05), 0.35);
+    for (int i = 30; i < 33; ++i) map.insert({0.2 * i, {}, {testing::point_at(2.05, 0.05)}, {floor_ahead}});
+    EXPECT_GT(occupancy(map.grid(), 2.05, 0.05), 0.65);
+    EXPECT_LT(occupancy(map.grid(), 2.45, 0.05), 0.35);
+}
+
+TEST(LocalMap, AThinLegOnTheCornerOfFourCellsIsNotOutvotedByTheFloorBesideIt) {
+    LocalMap map({});
+    for (int i = 0; i < 30; ++i) map.insert({0.2 * i, {}, {}, {floor_ahead}});
+    for (int i = 0; i < 12; ++i) {
+        const double x_m = i % 2 == 0 ? 1.98 : 2.02;
+        const double y_m = i % 4 < 2 ? 0.08 : 0.12;
+        map.insert({6.0 + 0.2 * i, {}, {testing::point_at(x_m, y_m)}, {floor_ahead}});
+    }
+    EXPECT_GT(occupancy(map.grid(), 1.95, 0.05), 0.6);
+    EXPECT_GT(occupancy(map.grid(), 2.05, 0.15), 0.6);
+}
+
 }  // namespace
 }  // namespace flownav

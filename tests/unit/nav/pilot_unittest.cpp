@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "flownav/nav/foresight.h"
 #include "flownav/nav/motion_model.h"
 
 namespace flownav::nav {
@@ -206,6 +207,38 @@ TEST_F(Pilots, ABlindSensorIsNoReasonForManoeuvres) {
         const Situation situation{0.2 * i, pose_, {}, &local_, false};
         EXPECT_EQ(pilot.decide(situation, map_).state, PilotState::Driving);
     }
+}
+
+TEST_F(Pilots, AFollowerThatIsHeldBacksOffTurnsAwayAndGoesOn) {
+    for (const double y_m : {2.0, -2.0}) {
+        const PilotState away = y_m > 0.0 ? PilotState::LookingRight : PilotState::LookingLeft;
+        Pilot pilot(RobotModel(), std::make_unique<SimpleNavigator>(stuck_), {5.0, y_m});
+        std::vector<PilotState> states;
+        const double begin_s = time_s_;
+        while (time_s_ < begin_s + 12.0 && (states.empty() || states.back() != away)) {
+            const Pose2 held = pose_;
+            states.push_back(step(pilot).state);
+            if (states.back() == PilotState::Driving) pose_ = held;
+        }
+        EXPECT_EQ(states.front(), PilotState::Driving);
+        EXPECT_GT(std::count(states.begin(), states.end(), PilotState::BackingOff), 3);
+        EXPECT_EQ(states.back(), away);
+        while (time_s_ < begin_s + 30.0) state_ = step(pilot).state;
+        EXPECT_EQ(state_, PilotState::Driving);
+    }
+}
+
+TEST_F(Pilots, AFollowerThatCanNeitherTurnNorBackOffCreepsOn) {
+    Pilot pilot(RobotModel(), std::make_unique<SimpleNavigator>(stuck_), {5.0, 2.0});
+    while (time_s_ < 20.0 && state_ != PilotState::CreepingOn) {
+        const Pose2 held = pose_;
+        state_ = step(pilot).state;
+        if (state_ != PilotState::CreepingOn) pose_ = held;
+    }
+    EXPECT_EQ(step(pilot).state, PilotState::CreepingOn);
+    EXPECT_GT(motion_.v_mps, 0.0);
+    EXPECT_LT(motion_.v_mps, ForesightParams().crawl_mps);
+    EXPECT_EQ(motion_.omega_radps, 0.0);
 }
 
 TEST_F(Pilots, AWayPointOfTheRobotsFrameMovesWithIt) {

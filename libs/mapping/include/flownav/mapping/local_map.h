@@ -47,7 +47,8 @@ class LocalMap {
 
     Cell& place(const Eigen::Vector2i& index);
     int log_odds(const Eigen::Vector2i& index) const;
-    void add(const Entry& entry);
+    /// How much it counted: ground that was seen to be free often is no freer than `log_odds_max` says.
+    int add(const Entry& entry);
     void forget(const Remembered& old);
 
     MapParams params_;

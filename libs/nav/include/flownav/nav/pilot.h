@@ -19,6 +19,7 @@ enum class PilotState {
     LookingLeft,   ///< in place
     LookingRight,  ///< in place, past the middle
     BackingOff,    ///< straight back, over ground that was seen or driven over
+    CreepingOn,    ///< slowly straight on, out of a place where it can neither turn nor back off
     Arrived,       ///< standing at the goal; final
     Blocked,       ///< standing, out of ideas; final
 };
@@ -34,9 +35,12 @@ struct PilotParams {
     double held_s = 1.5;         ///< it wants to move, and the guard does not let it: likewise
     double no_progress_s = 6.0;  ///< without coming 0.15 m nearer: a manoeuvre
     double back_off_m = 0.35;    ///< as far as known ground lasts
-    double look_rad = 0.9;       ///< to either side
-    double turn_radps = 0.5;     ///< of manoeuvres; at most the robot's
-    int manoeuvres_max = 20;     ///< without progress: blocked
+    double creep_on_m = 0.2;
+    double creep_mps = 0.08;  ///< slow enough for the guard to let it stay as near to things as it is
+    double look_rad = 0.9;    ///< to either side
+    double away_rad = 0.5;    ///< from the side of a way point in the robot's frame
+    double turn_radps = 0.5;  ///< of manoeuvres; at most the robot's
+    int manoeuvres_max = 20;  ///< without progress: blocked
 };
 
 /// What the pilot decided, and all that a log or a picture shows of it.
@@ -65,7 +69,8 @@ class Pilot {
     Pilot(const RobotModel& robot, const PilotParams& params, std::unique_ptr<Navigator> navigator,
           std::vector<Eigen::Vector2d> goals_m);
 
-    /// A robot that follows a way point fixed in ITS OWN frame, for ever.
+    /// A robot that follows a way point fixed in ITS OWN frame, for ever. Its manoeuvres are BackingOff
+    /// alone, and BackingOff, LookingLeft, LookingRight.
     Pilot(const RobotModel& robot, std::unique_ptr<Navigator> navigator,
           const Eigen::Vector2d& waypoint_robot_m);
 
@@ -85,11 +90,14 @@ class Pilot {
     void note_progress(const Situation& situation);
     bool is_held(const Situation& situation);
     void begin_manoeuvre(const Situation& situation);
+    std::vector<PilotState> sequence_to_goal() const;
+    std::vector<PilotState> sequence_of_follower() const;
     void avoid_this_place(const Situation& situation);
     void enter(PilotState state, const Situation& situation);
     void manoeuvre(const Situation& situation);
     void turn_to(double yaw_rad, const Situation& situation);
     void back_off(const Situation& situation, double far_enough_m);
+    void creep_on(const Situation& situation);
     void next_of_sequence(const Situation& situation);
 
     RobotModel robot_;
@@ -104,7 +112,7 @@ class Pilot {
     std::optional<double> stuck_since_s_;
     double moved_s_ = 0.0;  ///< when it last moved, or did not want to
     Pose2 moved_to_;
-    std::deque<Pose2> trail_;  ///< where it came from, map frame
+    std::deque<Pose2> trail_;           ///< where it came from, map frame
     bool planning_ = false;             ///< PlanPolicy::Stuck: until the next goal
     int manoeuvres_ = 0;                ///< since the last progress
     std::vector<PilotState> sequence_;  ///< of the running manoeuvre, the next step last
