@@ -14,8 +14,8 @@ NODES = ["n1", "n2"]
 SECONDS_TO_START = 30
 SECONDS_TO_STOP = 10
 
-# cred_expire: a task that is queued again waits that long. Nodes of less weight get tasks first. config_overrides: a node
-# need not have what is said of it.
+# cred_expire: a task that is queued again waits that long. Nodes of less weight get tasks first. config_overrides: a
+# node need not have what is said of it.
 CONFIG = """
 ClusterName=flownav
 SlurmctldHost={host}(127.0.0.1)
