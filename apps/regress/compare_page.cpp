@@ -25,7 +25,7 @@ const RawlogResult& result_of(const std::string& id, const RunResults& results) 
 /// Numbers that JSON does not know become null.
 Json changes_json(const Comparison& comparison) {
     Json changes = Json::array();
-    for (const Change& change : comparison.changes)
+    for (const Change& change : comparison.changes) {
         changes.push_back({{"id", change.id},
                            {"figure", change.figure},
                            {"a", change.before},
@@ -34,6 +34,7 @@ Json changes_json(const Comparison& comparison) {
                            {"share", change.share ? Json(*change.share) : Json(nullptr)},
                            {"severity", change.severity},
                            {"verdict", to_string(change.verdict)}});
+    }
     return changes;
 }
 

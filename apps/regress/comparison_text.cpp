@@ -79,14 +79,16 @@ std::string change_table(const Comparison& comparison, std::size_t most) {
 
 std::vector<std::string> what_differs(const Comparison& comparison) {
     std::vector<std::string> lines;
-    if (comparison.program_before != comparison.program_after)
+    if (comparison.program_before != comparison.program_after) {
         lines.push_back("program: " + comparison.program_before + " -> " + comparison.program_after);
-    else if (comparison.other_setup && comparison.settings.empty())
+    } else if (comparison.other_setup && comparison.settings.empty()) {
         lines.push_back("program: another file, of the same version " + comparison.program_before);
-    for (const SettingChange& setting : comparison.settings)
-        lines.push_back(
-            setting.key + ": " + setting.before + " -> " + setting.after +
-            (setting.rawlogs == comparison.ids.size() ? "" : " in " + count_text(setting.rawlogs, "rawlog")));
+    }
+    for (const SettingChange& setting : comparison.settings) {
+        const bool everywhere = setting.rawlogs == comparison.ids.size();
+        const std::string where = everywhere ? "" : " in " + count_text(setting.rawlogs, "rawlog");
+        lines.push_back(setting.key + ": " + setting.before + " -> " + setting.after + where);
+    }
     add_rawlogs("only in A", comparison.only_before, lines);
     add_rawlogs("only in B", comparison.only_after, lines);
     add_rawlogs("not the same recording", comparison.other_rawlog, lines);

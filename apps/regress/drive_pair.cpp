@@ -42,7 +42,8 @@ Json chart_json(const ReportChart& whole) {
             {"decimals", chart.decimals},
             {"t", rounded_all(chart.t_s, 3)},
             {"a", rounded_all(chart.series.at(0).values, chart.decimals)},
-            {"b", rounded_all(chart.series.at(1).values, chart.decimals)}};
+            {"b", rounded_all(chart.series.at(1).values, chart.decimals)},
+            {"difference", rounded_all(chart.series.at(2).values, chart.decimals)}};
 }
 
 /// Every k-th pose, and the last.

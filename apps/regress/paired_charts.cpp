@@ -12,19 +12,23 @@ struct Quantity {
     const char* column;
     const char* title;
     const char* unit;
-    double factor;
-    int decimals;
-    double least_span;
-    bool of_cycles;  ///< tells something at the end of a cycle only
     const char* note;
+    double factor;
+    double least_span;
+    int decimals;
+    bool of_cycles;  ///< tells something at the end of a cycle only
 };
 
+constexpr auto every_field = "Every field; positive: to the left.";
+constexpr auto every_cycle = "At the end of each cycle.";
+constexpr double to_deg = 180.0 / M_PI;
+
 constexpr Quantity quantities[] = {
-    {"omega_radps", "Turn rate", "deg/s", 180.0 / M_PI, 3, 1.0, false, "Every field; positive: to the left."},
-    {"v_mps", "Forward speed", "m/s", 1.0, 4, 0.05, true, "At the end of each cycle."},
-    {"obstacles", "Obstacle points", "", 1.0, 0, 10.0, true, "At the end of each cycle."},
-    {"confident", "Blocks with an unambiguous match", "", 1.0, 0, 10.0, true, "At the end of each cycle."},
-    {"inliers", "Blocks that support the turn rate", "", 1.0, 0, 10.0, true, "At the end of each cycle."},
+    {"omega_radps", "Turn rate", "deg/s", every_field, to_deg, 1.0, 3, false},
+    {"v_mps", "Forward speed", "m/s", every_cycle, 1.0, 0.05, 4, true},
+    {"obstacles", "Obstacle points", "", every_cycle, 1.0, 10.0, 0, true},
+    {"confident", "Blocks with an unambiguous match", "", every_cycle, 1.0, 10.0, 0, true},
+    {"inliers", "Blocks that support the turn rate", "", every_cycle, 1.0, 10.0, 0, true},
 };
 
 constexpr double same_time_s = 1e-6;
@@ -62,6 +66,21 @@ double value_at(const Columns& run, const Quantity& quantity, std::size_t row) {
     return std::isfinite(value) ? value * quantity.factor : ReportSeries::gap;
 }
 
+/// B - A at every time at which one of them has a value. What a cycle found holds until the end of the next.
+std::vector<double> differences(const std::vector<double>& a, const std::vector<double>& b, bool holds) {
+    std::vector<double> values;
+    double last_a = ReportSeries::none;
+    double last_b = ReportSeries::none;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (!holds || a[i] != ReportSeries::none) last_a = a[i];
+        if (!holds || b[i] != ReportSeries::none) last_b = b[i];
+        const bool news = std::isfinite(a[i]) || std::isfinite(b[i]);
+        const bool known = std::isfinite(last_a) && std::isfinite(last_b);
+        values.push_back(news && known ? last_b - last_a : ReportSeries::none);
+    }
+    return values;
+}
+
 ReportChart chart_of(const Quantity& quantity, const Columns& before, const Columns& after,
                      const MergedTimes& times) {
     ReportChart chart;
@@ -72,16 +91,15 @@ ReportChart chart_of(const Quantity& quantity, const Columns& before, const Colu
     chart.decimals = quantity.decimals;
     chart.least_span = quantity.least_span;
     chart.from_zero = quantity.of_cycles;
-    for (const double t : times.t) chart.t_s.push_back(t - times.t.front());
     chart.series.resize(3);
+    std::vector<double>& a = chart.series[0].values;
+    std::vector<double>& b = chart.series[1].values;
     for (std::size_t i = 0; i < times.t.size(); ++i) {
-        const double a = value_at(before, quantity, times.row_a[i]);
-        const double b = value_at(after, quantity, times.row_b[i]);
-        const bool both = std::isfinite(a) && std::isfinite(b);
-        chart.series[0].values.push_back(a);
-        chart.series[1].values.push_back(b);
-        chart.series[2].values.push_back(both ? b - a : ReportSeries::none);
+        chart.t_s.push_back(times.t[i] - times.t.front());
+        a.push_back(value_at(before, quantity, times.row_a[i]));
+        b.push_back(value_at(after, quantity, times.row_b[i]));
     }
+    chart.series[2].values = differences(a, b, quantity.of_cycles);
     return chart;
 }
 

@@ -48,9 +48,10 @@ class Painter {
     Painter(cv::Mat& picture, const PairedMaps& raster) : picture_(picture), raster_(raster) {}
 
     void paint(const MapFile& map) {
-        for (int row = 0; row < map.cells.rows; ++row)
+        for (int row = 0; row < map.cells.rows; ++row) {
             for (int column = 0; column < map.cells.cols; ++column)
                 paint_cell(map, row, column, map.cells.at<std::uint8_t>(row, column));
+        }
     }
 
   private:

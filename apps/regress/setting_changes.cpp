@@ -12,6 +12,10 @@ namespace {
 
 using Settings = std::map<std::string, std::string>;
 
+std::string setting_name(const std::string& section, const std::string& key) {
+    return section + '.' + key;
+}
+
 Settings settings_of(const std::string& text) {
     Settings settings;
     const mrpt::config::CConfigFileMemory ini(text);
@@ -19,7 +23,8 @@ Settings settings_of(const std::string& text) {
     ini.getAllSections(sections);
     for (const std::string& section : sections) {
         ini.getAllKeys(section, keys);
-        for (const std::string& key : keys) settings[section + '.' + key] = ini.read_string(section, key, "");
+        for (const std::string& key : keys)
+            settings[setting_name(section, key)] = ini.read_string(section, key, "");
     }
     return settings;
 }
@@ -27,7 +32,8 @@ Settings settings_of(const std::string& text) {
 std::string default_of(const std::string& name) {
     static const Settings defaults = [] {
         Settings values;
-        for (const ConfigKey& key : config_keys()) values[key.section + '.' + key.name] = key.default_value;
+        for (const ConfigKey& key : config_keys())
+            values[setting_name(key.section, key.name)] = key.default_value;
         return values;
     }();
     const auto found = defaults.find(name);

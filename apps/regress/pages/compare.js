@@ -9,9 +9,9 @@ function optionText(id) {
     return `${id} — ${plural(changes.length, 'change')}, ${severity}`;
 }
 
-/** The worst changes of a rawlog, in a sentence. */
+/** The largest changes of a rawlog. */
 function headline(id) {
-    const changes = changesOf.get(id);
+    const changes = [...changesOf.get(id)].sort((one, other) => other.severity - one.severity || 0);
     if (!changes.length) return [element('span', {textContent: 'Every figure is the same.'})];
     return changes.slice(0, 4).map((change) => {
         const text = `${change.figure || outcome_name} ${change.figure ? `${change.a} → ${change.b}` : change.b}`;

@@ -14,7 +14,7 @@ function endsText({a, b}) {
     if (!a || !b) return `Only ${a ? 'A' : 'B'} has a way.`;
     const end = (way) => [way.x[way.x.length - 1], way.y[way.y.length - 1]];
     const [xa, ya] = end(a), [xb, yb] = end(b), apart = Math.hypot(xb - xa, yb - ya);
-    return apart < 0.0005 ? 'Both ways end at the same place.' : `The ways end ${numberText(apart)} m apart.`;
+    return apart < 0.0005 ? 'Both ways end at the same place.' : `The ways end ${apart.toFixed(3)} m apart.`;
 }
 
 /** What is seen of the maps: they and the ways. */
@@ -75,7 +75,7 @@ function optionsOf(chart, times) {
     return {
         legend: 'never', axisLabelFontSize: 12, axisLineColor: '#555', gridLineColor: '#e4e4e4', yLabelWidth: 16, xLabelHeight: 16,
         connectSeparatedPoints: true, dateWindow: times, yRangePad: 6, highlightCircleSize: 3,
-        axes: {y: {axisLabelWidth: 50, axisLabelFormatter: tick}, x: {axisLabelWidth: 44, axisLabelFormatter: tick}},
+        axes: {y: {axisLabelWidth: 50, axisLabelFormatter: tick, pixelsPerLabel: 18}, x: {axisLabelWidth: 44, axisLabelFormatter: tick}},
         drawCallback: (graph, initial) => initial || link(graph),
     };
 }
@@ -96,25 +96,22 @@ function addGraph(parent, className, rows, options) {
     graphs.push(new Dygraph(plot, rows, options));
 }
 
-/** The values at the mouse. */
+/** The values at the mouse; where one comes less often, the last before. */
 function readout(chart, box) {
-    const show = (event, x, points) => {
-        const value = (name) => points.find((point) => point.name === name)?.yval;
-        const [a, b] = [value('A'), value('B')];
-        const difference = Number.isFinite(a) && Number.isFinite(b) ? `, B − A ${numberText(Number((b - a).toFixed(chart.decimals)))}` : '';
-        box.textContent = `${x.toFixed(2)} s: A ${numberText(a)}, B ${numberText(b)}${difference}`;
+    const last = (values, row) => {
+        while (row > 0 && values[row] === null) --row;
+        return gap(values[row]) ?? NaN;
+    };
+    const show = (event, t, points, row) => {
+        const [a, b] = [last(chart.a, row), last(chart.b, row)];
+        const difference = numberText(Number((b - a).toFixed(chart.decimals)));
+        box.textContent = `${t.toFixed(2)} s: A ${numberText(a)}, B ${numberText(b)}, B − A ${difference} ${chart.unit}`;
     };
     return {highlightCallback: show, unhighlightCallback: () => { box.textContent = chart.unit; }};
 }
 
 const valuesOf = (chart) => chart.t.map((t, i) => [t, gap(chart.a[i]), gap(chart.b[i])]);
-
-/** B − A where both have a value. */
-function differences(chart) {
-    const known = (value) => typeof value === 'number';
-    return chart.t.map((t, i) => [t, known(chart.a[i]) && known(chart.b[i]) ? chart.b[i] - chart.a[i] : null]);
-}
-
+const differencesOf = (chart) => chart.t.map((t, i) => [t, gap(chart.difference[i])]);
 const differs = (chart) => chart.a.some((value, i) => value !== chart.b[i]);
 
 function addChart(parent, chart, times) {
@@ -127,7 +124,7 @@ function addChart(parent, chart, times) {
         valueRange: rangeOf(chart, rows.flatMap((row) => row.slice(1))), ylabel: chart.unit || 'count',
         series: {A: {color: looks.a.colour, strokeWidth: looks.a.width}, B: {color: looks.b.colour, strokeWidth: looks.b.width}}});
     if (differs(chart)) {
-        addGraph(box, 'plot low', differences(chart), {...optionsOf(chart, times), labels: ['t', 'B − A'], colors: ['#333'], fillGraph: true,
+        addGraph(box, 'plot low', differencesOf(chart), {...optionsOf(chart, times), labels: ['t', 'B − A'], colors: ['#333'], fillGraph: true,
             fillAlpha: 0.3, strokeWidth: 1.2, includeZero: true, ylabel: 'B − A', xlabel: 'time since the first field (s)'});
     } else {
         box.append(element('p', {className: 'equal', textContent: 'The same in both.'}));

@@ -25,6 +25,7 @@ function shortChange(change) {
     if (!change.difference) return '→ ' + change.b;
     if (change.share === null) return change.difference;
     const percent = 100 * change.share, size = Math.abs(percent);
+    if (size < 0.05) return '≈ 0 %';
     const text = size >= 1000 ? '× ' + numberText(1 + change.share) : percent.toFixed(size < 10 ? 1 : 0) + ' %';
     return (percent > 0 && size < 1000 ? '+' : '') + text.replace('-', '−');
 }

@@ -87,6 +87,17 @@ TEST_F(DrivePair, RunsWithOtherTimesAreMerged) {
     for (const double difference : turn.series[2].values) EXPECT_EQ(difference, ReportSeries::none);
 }
 
+TEST_F(DrivePair, WhatACycleFoundHoldsUntilTheNextEnds) {
+    Columns other = run_of(7, 15.0);
+    for (double& t : other["timestamp"]) t += 0.04;  // its cycles end one field later
+    const ReportChart obstacles = chart(paired_charts(run_of(7, 20.0), other), "obstacles");
+    ASSERT_EQ(obstacles.t_s.size(), 8U);
+    EXPECT_EQ(obstacles.series[2].values[3], ReportSeries::none) << "one is not known yet";
+    EXPECT_EQ(obstacles.series[2].values[4], -5.0);
+    EXPECT_EQ(obstacles.series[2].values[5], ReportSeries::none) << "nothing new";
+    EXPECT_EQ(obstacles.series[2].values[6], -5.0);
+}
+
 TEST_F(DrivePair, WithoutFilesThereAreNoCurves) {
     EXPECT_TRUE(paired_charts({}, run_of(4, 1.0)).empty());
 }
