@@ -19,15 +19,15 @@ program=$1
 data=$(cd "$2" && pwd)
 output=$3
 mkdir -p "$output"
-cd "$output"
 
-ln -sfn "$root/ini" ini
-ln -sf "$data/scenes/field.rawlog" "$data/scenes/moving2.rawlog" .
+ln -sfn "$root/ini" "$output/ini"
+ln -sf "$data/scenes/field.rawlog" "$data/scenes/moving2.rawlog" "$output"
 
 import() {
-    if [ "$1" -nt "$program" ]; then return; fi
-    "$program" "${@:2}" --output "$1" --quiet
+    local rawlog=$output/$1
+    if [ "$rawlog" -nt "$program" ]; then return; fi
+    "$program" "${@:2}" --output "$rawlog" --quiet
 }
 import kitti_00.rawlog kitti-odometry "$data/kitti-odometry" 00
 import kitti_braking.rawlog kitti-raw "$data/kitti-raw/2011_09_26" braking --height-m 1.66 --roll-deg -0.2
-import donkeycar.rawlog images "$data/donkeycar-gyro/images" --camera ini/donkeycar.ini
+import donkeycar.rawlog images "$data/donkeycar-gyro/images" --camera "$root/ini/donkeycar.ini"
