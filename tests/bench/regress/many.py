@@ -141,7 +141,8 @@ def driven_s(output):
 
 
 def row(name, replayed, seconds, recorded_s):
-    print(f"| {name} | {replayed} | {seconds:.1f} | {replayed / seconds:.1f} | {recorded_s / seconds:.2f} |", flush=True)
+    rates = f"{replayed / seconds:.1f} | {recorded_s / seconds:.2f}"
+    print(f"| {name} | {replayed} | {seconds:.1f} | {rates} |", flush=True)
 
 
 def run_killed(regress, output, moments, recorded_s):
