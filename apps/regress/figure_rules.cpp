@@ -24,6 +24,7 @@ constexpr Row rows[] = {
     {"status.ok", "", 0, 1, Better::Higher},
     {"status.", "", 0, 1, Better::Lower},
     {"written.obstacle_points", "", 0.02, 3, Better::Unknown},
+    {"written.map_", "", 0.02, 3, Better::Unknown},
     {"written.", "", 0, 1, Better::Unknown},
     {"drive.", "_s", 0, 1e-6, Better::Unknown},
     {"drive.", "path_m", 0.002, 0.001, Better::Unknown},

@@ -30,6 +30,14 @@ void write_file(const fs::path& file, const std::string& content) {
     if (!out) throw std::runtime_error("cannot write '" + file.string() + "': " + std::strerror(errno));
 }
 
+bool is_occupied(double p_free) {
+    return 1.0 - p_free > occupied_threshold;
+}
+
+bool is_free(double p_free) {
+    return 1.0 - p_free < free_threshold;
+}
+
 /// Grey 0 is occupied, 254 free, 205 unknown; the first row is the largest y.
 std::string pgm_of(const COccupancyGridMap2D& grid) {
     constexpr char occupied = 0, free_cell = static_cast<char>(254), unknown = static_cast<char>(205);
@@ -37,10 +45,8 @@ std::string pgm_of(const COccupancyGridMap2D& grid) {
     pgm << "P5\n" << grid.getSizeX() << " " << grid.getSizeY() << "\n255\n";
     for (int y = static_cast<int>(grid.getSizeY()) - 1; y >= 0; --y) {
         for (int x = 0; x < static_cast<int>(grid.getSizeX()); ++x) {
-            const double occupancy = 1.0 - grid.getCell(x, y);
-            pgm << (occupancy > occupied_threshold ? occupied
-                    : occupancy < free_threshold   ? free_cell
-                                                   : unknown);
+            const double p_free = grid.getCell(x, y);
+            pgm << (is_occupied(p_free) ? occupied : is_free(p_free) ? free_cell : unknown);
         }
     }
     return pgm.str();
@@ -78,6 +84,18 @@ std::string gridmap_of(const COccupancyGridMap2D& grid) {
 }
 
 }  // namespace
+
+CellCounts count_cells(const COccupancyGridMap2D& grid) {
+    CellCounts counts;
+    for (int y = 0; y < static_cast<int>(grid.getSizeY()); ++y) {
+        for (int x = 0; x < static_cast<int>(grid.getSizeX()); ++x) {
+            const double p_free = grid.getCell(x, y);
+            counts.occupied += is_occupied(p_free);
+            counts.free += is_free(p_free);
+        }
+    }
+    return counts;
+}
 
 void export_map(const COccupancyGridMap2D& grid, const fs::path& directory) {
     write_file(directory / "map.pgm", pgm_of(grid));

@@ -83,6 +83,7 @@ void Outputs::finish(Drive& drive, const Timing* timing) {
     written_.odometry_poses = write_track(odometry_name, drive.odometry, drive);
     written_.ground_truth_poses = write_track(ground_truth_name, drive.ground_truth, drive);
     write_map(map_.grid(), folder_);
+    written_.map_cells = count_cells(map_.grid());
     drive.written = written_;
     write_file(folder_ / "report.html", report_html(drive, map_.grid(), config_, timing));
 }

@@ -23,6 +23,8 @@ constexpr FigureWords all_figures[] = {
     {"written.obstacle_points", "", "points in obstacles.csv", "up to 100 a cycle; 0 on an empty floor"},
     {"written.cycles", "", "finished cycles, each with points, a scan and a part of the map",
      "3 to 6 a second at walking pace"},
+    {"written.map_occupied_cells", "", "occupied cells of map.pgm", ""},
+    {"written.map_free_cells", "", "cells of map.pgm that are floor", ""},
     {"written.result_rawlog", "", "observations of this label in result.rawlog", ""},
     {"drive.start_s", "s", "time of the first field, since 1970", ""},
     {"drive.duration_s", "s", "from the first field to the last", ""},

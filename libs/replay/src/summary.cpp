@@ -45,6 +45,7 @@ Json written_part(const WrittenCounts& written) {
     return {{"trajectory_poses", written.trajectory_poses},     {"odometry_poses", written.odometry_poses},
             {"ground_truth_poses", written.ground_truth_poses}, {"egomotion_rows", written.egomotion_rows},
             {"obstacle_points", written.obstacle_points},       {"cycles", written.cycles},
+            {"map_occupied_cells", written.map_cells.occupied}, {"map_free_cells", written.map_cells.free},
             {"result_rawlog", Json(written.result_rawlog)}};
 }
 

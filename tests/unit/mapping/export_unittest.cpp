@@ -4,6 +4,7 @@
 #include <mrpt/io/CFileGZInputStream.h>
 #include <mrpt/serialization/CArchive.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "../support/temporary_folder.h"
@@ -46,6 +47,18 @@ TEST(ExportMap, PgmHasTheGridWithItsLargestYFirst) {
     EXPECT_EQ(grey(1.25F, 0.45F), 0);
     EXPECT_EQ(grey(1.05F, -0.65F), 254);
     EXPECT_EQ(grey(-1.0F, 1.0F), 205);
+}
+
+TEST(ExportMap, TheCellsAreCountedAsThePictureShowsThem) {
+    const testing::TemporaryFolder folder;
+    export_map(sample_grid(), folder / "");
+    const std::string bytes = bytes_of(folder / "map.pgm");
+    const std::string pixels = bytes.substr(bytes.find("255\n") + 4);
+    const CellCounts counts = count_cells(sample_grid());
+    EXPECT_EQ(counts.occupied, std::count(pixels.begin(), pixels.end(), '\0'));
+    EXPECT_EQ(counts.free, std::count(pixels.begin(), pixels.end(), static_cast<char>(254)));
+    EXPECT_GT(counts.occupied, 0U);
+    EXPECT_GT(counts.free, 0U);
 }
 
 TEST(ExportMap, MrptReadsItBackAsARosMap) {

@@ -15,6 +15,7 @@ TEST(Summary, HoldsCountsErrorsConfigurationAndOneTimingObject) {
     Drive drive = sample_drive(100);
     drive.read.rejected["time_repeated"] = 2;
     drive.written.cycles = 24;
+    drive.written.map_cells = {7, 90};
     Timing timing;
     timing.total_s = 2.0;
     timing.fields.resize(100);
@@ -23,6 +24,8 @@ TEST(Summary, HoldsCountsErrorsConfigurationAndOneTimingObject) {
     EXPECT_EQ(json["input"]["end"], "clean");
     EXPECT_EQ(json["rejected"]["time_repeated"], 2);
     EXPECT_EQ(json["written"]["cycles"], 24);
+    EXPECT_EQ(json["written"]["map_occupied_cells"], 7);
+    EXPECT_EQ(json["written"]["map_free_cells"], 90);
     EXPECT_EQ(json["status"]["ok"], 99);
     EXPECT_EQ(json["status"]["waiting"], 1);
     EXPECT_EQ(json["errors"]["ground_truth"]["fields_compared"], 100);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "flownav/mapping/export.h"
 #include "flownav/replay/camera_check.h"
 #include "flownav/replay/field_row.h"
 #include "flownav/replay/field_source.h"
@@ -24,6 +25,7 @@ struct WrittenCounts {
     std::uint64_t egomotion_rows = 0;
     std::uint64_t obstacle_points = 0;
     std::uint64_t cycles = 0;                            ///< finished cycles, each a scan and a cloud
+    CellCounts map_cells;                                ///< of map.pgm
     std::map<std::string, std::uint64_t> result_rawlog;  ///< observations by label
 };
 
