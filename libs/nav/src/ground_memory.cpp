@@ -58,8 +58,11 @@ int GroundMemory::note(const mrpt::maps::COccupancyGridMap2D& local_map, double 
             const Vector2d p = origin + (x + 0.5) * along_x + (y + 0.5) * along_y;
             // Outside the map it says 0.5.
             const double p_free = local_map.getCell(local_map.x2idx(p.x()), local_map.y2idx(p.y()));
-            if (p_free >= params_.p_occupied && p_free <= params_.p_free) continue;
-            fresh += note_cell({x, y}, p_free > params_.p_free, time_s);
+            if (p_free < params_.p_occupied || p_free > params_.p_free) {
+                fresh += note_cell({x, y}, p_free > params_.p_free, time_s);
+            } else {
+                note_silence({x, y}, p, time_s);
+            }
         }
     }
     return fresh;
@@ -77,9 +80,13 @@ bool GroundMemory::note_cell(const Vector2i& index, bool is_free, double time_s)
     return is_free && before == Ground::Unknown;
 }
 
-void GroundMemory::note_obstacle(const Vector2d& at_m, double time_s) {
-    const Vector2i index = index_of(at_m);
-    place(index) = {index, Ground::Occupied, time_s + params_.obstacle_s};
+/// The map says nothing: a mover that went away in front of the robot is soon forgotten, what stands beside
+/// or behind it is not.
+void GroundMemory::note_silence(const Vector2i& index, const Vector2d& at_robot_m, double time_s) {
+    Cell& cell = place(index);
+    if (cell.index != index || cell.ground != Ground::Occupied) return;
+    const bool in_view = std::abs(std::atan2(at_robot_m.y(), at_robot_m.x())) < params_.view_half_rad;
+    if (in_view) cell.until_s = std::min(cell.until_s, time_s + params_.in_view_s);
 }
 
 void GroundMemory::drive_over(const Polygon& footprint_m, double time_s, const Pose2& T_map_robot) {
