@@ -2,11 +2,14 @@
 #include <mrpt/3rdparty/tclap/CmdLine.h>
 
 #include <ostream>
+#include <stdexcept>
 #include <string>
+
+#include "flownav/flow/kernel.h"
 
 namespace flownav {
 
-/// What a program says about its arguments: its own help text, its version in one line, and errors that point
+/// What a program says about its arguments: its own help text, its version and kernel, and errors that point
 /// to
 /// --help. Takes the place of TCLAP's output in `command`, which may be parsed while this lives.
 class CommandOutput : public TCLAP::StdOutput {
@@ -21,7 +24,12 @@ class CommandOutput : public TCLAP::StdOutput {
     void usage(TCLAP::CmdLineInterface& /*command*/) override { out_ << help_; }
 
     void version(TCLAP::CmdLineInterface& command) override {
-        out_ << name_ << ' ' << command.getVersion() << '\n';
+        out_ << name_ << ' ' << command.getVersion() << '\n' << "matching kernel: ";
+        try {
+            out_ << default_kernel().name << '\n';
+        } catch (const std::runtime_error& error) {
+            out_ << error.what() << '\n';
+        }
     }
 
     void failure(TCLAP::CmdLineInterface& /*command*/, TCLAP::ArgException& exception) override {

@@ -1,7 +1,9 @@
 #pragma once
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "flownav/flow/kernel.h"
 #include "flownav/sensor/config.h"
 
 namespace flownav {
@@ -18,11 +20,16 @@ inline void apply_settings(Config& config, const std::vector<std::string>& setti
 }
 
 /// The defaults, then the values of --config, where there is one, then those of each --set section.key=value.
-/// Throws ConfigError.
+/// Throws ConfigError, for FLOWNAV_KERNEL too.
 inline Config configuration(const std::string& file, const std::vector<std::string>& settings) {
     Config config;
     if (!file.empty()) load_config_file(config, file);
     apply_settings(config, settings);
+    try {
+        default_kernel();
+    } catch (const std::runtime_error& error) {
+        throw ConfigError(error.what());
+    }
     return config;
 }
 

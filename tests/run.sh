@@ -5,21 +5,23 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 usage() {
     cat <<END
-usage: tests/run.sh [--quick] [--slurm] [--help]
+usage: tests/run.sh [--quick] [--slurm] [--aarch64] [--help]
   --quick   only the optimised build, without the sanitizers
   --slurm   also installs Slurm, starts a cluster of two nodes on this machine for some minutes and replays on it;
             skipped where one is not root or the packages cannot be had
+  --aarch64 also builds the matching kernels for a 64-bit ARM and tests them in an emulator; skipped where the packages
+            cannot be had
 FLOWNAV_DATA names the folder of the optional test data (default: ../shared/data beside the checkout); tests that
 need it are skipped where it is absent. Exit status: 0 every test passed, 1 otherwise.
 END
 }
 
-slurm=()
+more=()
 sanitizers=(dev)
 for argument in "$@"; do
     case $argument in
         --quick) sanitizers=() ;;
-        --slurm) slurm=(slurm) ;;
+        --slurm | --aarch64) more+=("${argument#--}") ;;
         --help | -h) usage && exit 0 ;;
         *) echo "tests/run.sh: unknown argument $argument" >&2 && usage >&2 && exit 1 ;;
     esac
@@ -45,18 +47,18 @@ run_preset() {
 }
 
 run_step() {
-    if [ "$1" = slurm ]; then
-        tests/system/install_slurm.sh && python3 tests/system/test_slurm.py build/release
-    else
-        run_preset "$1"
-    fi
+    case $1 in
+        slurm) tests/system/install_slurm.sh && python3 tests/system/test_slurm.py build/release ;;
+        aarch64) tests/aarch64/run.sh ;;
+        *) run_preset "$1" ;;
+    esac
 }
 
-for step in release "${slurm[@]}" "${sanitizers[@]}"; do
+for step in release "${more[@]}" "${sanitizers[@]}"; do
     start=$SECONDS
     outcome=passed
     run_step "$step" || case $step:$? in
-        slurm:77) outcome=SKIPPED ;;
+        slurm:77 | aarch64:77) outcome=SKIPPED ;;
         *) outcome=FAILED && failed=1 ;;
     esac
     summary+=("$step: $outcome after $((SECONDS - start)) s")

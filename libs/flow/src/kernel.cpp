@@ -1,73 +1,121 @@
 #include "flownav/flow/kernel.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <cstring>
 #include <stdexcept>
 
-#include "kernel_portable.h"
+#include "kernels/units.h"
 
 namespace flownav {
 namespace {
+
+constexpr const char* kernel_variable = "FLOWNAV_KERNEL";
+
+using kernels::reached_px;
+using kernels::Surface;
+
+constexpr bool same_shape =
+    kernels::side == block_px && kernels::side == search_px && search_offsets == kernels::offsets;
+static_assert(same_shape, "the kernels are made for this block and this window");
 
 constexpr int index_of(int mu, int nu) {
     return (nu - search_min) * search_px + (mu - search_min);
 }
 
-struct Offset {
-    int mu, nu;
-};
-
-/// Every offset in the order of the tie-break: the first of several equal costs wins.
-std::array<Offset, search_offsets> tie_break_order() {
-    std::array<Offset, search_offsets> order{};
-    for (int nu = search_min; nu <= search_max; ++nu) {
-        for (int mu = search_min; mu <= search_max; ++mu) order[index_of(mu, nu)] = {mu, nu};
-    }
-    std::stable_sort(order.begin(), order.end(), [](const Offset& p, const Offset& q) {
-        return p.mu * p.mu + p.nu * p.nu < q.mu * q.mu + q.nu * q.nu;
-    });
-    return order;
+bool is_whole(const SearchRange& r) {
+    return r.mu_min == search_min && r.mu_max == search_max && r.nu_min == search_min &&
+           r.nu_max == search_max;
 }
 
-bool inside(const Offset& d, const SearchRange& r) {
-    return d.mu >= r.mu_min && d.mu <= r.mu_max && d.nu >= r.nu_min && d.nu <= r.nu_max;
-}
+/// The part of the window that may be read, in a window of its own; 0 elsewhere.
+struct Padded {
+    static constexpr int stride = reached_px + 1;
+    std::uint8_t pixels[reached_px * stride] = {};
 
-bool distinct(const Offset& d, const BlockMatch& best) {
-    return std::max(std::abs(d.mu - best.mu), std::abs(d.nu - best.nu)) >= distinct_px;
-}
-
-std::uint16_t cost_at(const SadSurface& surface, const SearchRange& range, const Offset& d) {
-    return inside(d, range) ? surface[index_of(d.mu, d.nu)] : no_cost;
-}
-
-}  // namespace
-
-BlockMatch summarise(const SadSurface& surface, const SearchRange& range) {
-    static const auto order = tie_break_order();
-    BlockMatch m;
-    for (const Offset& d : order) {
-        const std::uint16_t cost = surface[index_of(d.mu, d.nu)];
-        if (cost == no_cost) continue;
-        m.sum += cost;
-        if (cost < m.minimum) {
-            m.minimum = cost;
-            m.mu = d.mu;
-            m.nu = d.nu;
+    Padded(const std::uint8_t* window, std::ptrdiff_t window_stride, const SearchRange& range) {
+        const auto width = static_cast<std::size_t>(range.mu_max - range.mu_min + block_px);
+        for (int v = range.nu_min; v < range.nu_max + block_px; ++v) {
+            std::memcpy(pixels + (v - search_min) * stride + (range.mu_min - search_min),
+                        window + v * window_stride + range.mu_min, width);
         }
     }
-    for (const Offset& d : order) {
-        const std::uint16_t cost = surface[index_of(d.mu, d.nu)];
-        if (cost < m.second && distinct(d, m)) m.second = cost;
+};
+
+/// Costs outside the range are none. Returns how many there are.
+int clear_outside(const SearchRange& range, std::uint16_t* cost) {
+    int cleared = 0;
+    for (int nu = search_min; nu <= search_max; ++nu) {
+        for (int mu = search_min; mu <= search_max; ++mu) {
+            const bool inside =
+                mu >= range.mu_min && mu <= range.mu_max && nu >= range.nu_min && nu <= range.nu_max;
+            if (inside) continue;
+            cost[index_of(mu, nu)] = no_cost;
+            ++cleared;
+        }
     }
-    m.left = cost_at(surface, range, {m.mu - 1, m.nu});
-    m.right = cost_at(surface, range, {m.mu + 1, m.nu});
-    m.above = cost_at(surface, range, {m.mu, m.nu - 1});
-    m.below = cost_at(surface, range, {m.mu, m.nu + 1});
+    return cleared;
+}
+
+/// Fills a surface. Returns how many of its offsets lie outside the range.
+int fill(kernels::SurfaceFunction surface_of, const std::uint8_t* block, std::ptrdiff_t block_stride,
+         const std::uint8_t* window, std::ptrdiff_t window_stride, const SearchRange& range,
+         Surface& surface) {
+    if (is_whole(range)) {
+        const std::uint8_t* first = window + search_min * window_stride + search_min;
+        surface_of(block, block_stride, first, window_stride, surface);
+        return 0;
+    }
+    const Padded padded(window, window_stride, range);
+    surface_of(block, block_stride, padded.pixels, Padded::stride, surface);
+    return clear_outside(range, surface.cost);
+}
+
+BlockMatch match_of(const Surface& surface, const kernels::Summary& summary, int outside) {
+    const int row = summary.index / search_px;
+    const int column = summary.index % search_px;
+    const std::uint16_t* at = surface.cost + summary.index;
+    BlockMatch m;
+    m.minimum = summary.minimum;
+    m.second = summary.second;
+    m.sum = summary.sum - static_cast<std::uint32_t>(outside) * no_cost;
+    m.mu = column + search_min;
+    m.nu = row + search_min;
+    if (column > 0) m.left = at[-1];
+    if (column < search_px - 1) m.right = at[1];
+    if (row > 0) m.above = at[-search_px];
+    if (row < search_px - 1) m.below = at[search_px];
     return m;
 }
 
+template <kernels::SurfaceFunction surface_of, kernels::SummaryFunction summary_of>
+BlockMatch match(const std::uint8_t* block, std::ptrdiff_t block_stride, const std::uint8_t* window,
+                 std::ptrdiff_t window_stride, const SearchRange& range) {
+    Surface surface;
+    const int outside = fill(surface_of, block, block_stride, window, window_stride, range, surface);
+    return match_of(surface, summary_of(surface), outside);
+}
+
+#define FLOWNAV_KERNEL(unit, supported)                                                 \
+    KernelEntry {                                                                       \
+#unit, supported, match < kernels::unit::surface_of, kernels::unit::summary_of> \
+    }
+
+}  // namespace
+
 const std::vector<KernelEntry>& kernel_table() {
-    static const std::vector<KernelEntry> table = {{"portable", [] { return true; }, match_portable}};
+    static const std::vector<KernelEntry> table = {
+#ifdef FLOWNAV_X86_KERNELS
+        FLOWNAV_KERNEL(
+            avx512bw,
+            [] { return __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"); }),
+        FLOWNAV_KERNEL(avx2, [] { return __builtin_cpu_supports("avx2") != 0; }),
+        FLOWNAV_KERNEL(sse41, [] { return __builtin_cpu_supports("sse4.1") != 0; }),
+#endif
+#ifdef FLOWNAV_ARM_KERNELS
+        FLOWNAV_KERNEL(neon, [] { return true; }),  // every AArch64 has it
+#endif
+        FLOWNAV_KERNEL(portable, [] { return true; })};
     return table;
 }
 
@@ -79,12 +127,35 @@ const KernelEntry& select_kernel(const std::string& name) {
     if (found == table.end()) {
         std::string known;
         for (const KernelEntry& k : table) known += std::string(known.empty() ? "" : ", ") + k.name;
-        throw std::runtime_error("matching kernel '" + name + "' is unknown; known: " + known);
+        throw std::runtime_error("matching kernel '" + name + "' (" + kernel_variable +
+                                 ") is unknown; known: " + known);
     }
     if (!found->supported()) {
-        throw std::runtime_error("matching kernel '" + name + "' is not supported by this processor");
+        throw std::runtime_error("matching kernel '" + name + "' (" + kernel_variable +
+                                 ") is not supported by this processor");
     }
     return *found;
+}
+
+const KernelEntry& default_kernel() {
+    const char* name = std::getenv(kernel_variable);
+    return select_kernel(name == nullptr ? "" : name);
+}
+
+SadSurface sad_surface(const std::uint8_t* block, std::ptrdiff_t block_stride, const std::uint8_t* window,
+                       std::ptrdiff_t window_stride, const SearchRange& range) {
+    Surface aligned;
+    fill(kernels::portable::surface_of, block, block_stride, window, window_stride, range, aligned);
+    SadSurface surface;
+    std::copy(std::begin(aligned.cost), std::end(aligned.cost), surface.begin());
+    return surface;
+}
+
+BlockMatch summarise(const SadSurface& surface, const SearchRange& range) {
+    Surface aligned;
+    std::copy(surface.begin(), surface.end(), aligned.cost);
+    const int outside = clear_outside(range, aligned.cost);
+    return match_of(aligned, kernels::portable::summary_of(aligned), outside);
 }
 
 }  // namespace flownav

@@ -182,7 +182,7 @@ const Step& step(State& state, const Field& field) {
 }
 
 const char* kernel_name() {
-    return select_kernel().name;
+    return default_kernel().name;
 }
 
 }  // namespace flownav::pipeline

@@ -143,23 +143,5 @@ TEST(Kernel, UnknownNameIsAnErrorThatNamesTheKnownOnes) {
     }
 }
 
-TEST(Kernel, EveryKernelAgreesWithThePortableOne) {
-    const KernelEntry& portable = select_kernel("portable");
-    for (const KernelEntry& kernel : kernel_table()) {
-        if (!kernel.supported()) continue;
-        for (unsigned seed = 0; seed < 200; ++seed) {
-            const Window w = noise(seed);
-            const Window other = noise(seed + 1000);
-            const BlockMatch p = portable.match(at(other, 1, 1), window_px, at(w, 0, 0), window_px, {});
-            const BlockMatch q = kernel.match(at(other, 1, 1), window_px, at(w, 0, 0), window_px, {});
-            EXPECT_EQ(p.minimum, q.minimum) << kernel.name;
-            EXPECT_EQ(p.second, q.second) << kernel.name;
-            EXPECT_EQ(p.sum, q.sum) << kernel.name;
-            EXPECT_EQ(p.mu, q.mu) << kernel.name;
-            EXPECT_EQ(p.nu, q.nu) << kernel.name;
-        }
-    }
-}
-
 }  // namespace
 }  // namespace flownav

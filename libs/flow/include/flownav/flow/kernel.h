@@ -57,6 +57,10 @@ const std::vector<KernelEntry>& kernel_table();
 /// or not supported here. An empty name asks for the best.
 const KernelEntry& select_kernel(const std::string& name = {});
 
+/// The kernel that the environment variable FLOWNAV_KERNEL names; the best one where it is not set. Throws
+/// std::runtime_error as select_kernel() does.
+const KernelEntry& default_kernel();
+
 /// The whole surface of Eq. (2), for people who want to look at it.
 SadSurface sad_surface(const std::uint8_t* block, std::ptrdiff_t block_stride, const std::uint8_t* window,
                        std::ptrdiff_t window_stride, const SearchRange& range);

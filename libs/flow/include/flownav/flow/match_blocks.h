@@ -18,7 +18,7 @@ SearchRange clipped_range(const Eigen::Vector2i& corner_px, const Eigen::Vector2
 
 struct MatchSettings {
     Subpixel subpixel = Subpixel::V;
-    const KernelEntry* kernel = &select_kernel();
+    const KernelEntry* kernel = &default_kernel();
     int threads = 1;  ///< the result does not depend on it
     Brightness brightness;
 };

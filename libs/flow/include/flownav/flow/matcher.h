@@ -22,7 +22,7 @@ using Matcher =
 /// brightness. Allocates only when the layout grows.
 class BlockMatcher {
   public:
-    BlockMatcher(const FlowParams& params, int threads, const KernelEntry& kernel = select_kernel());
+    BlockMatcher(const FlowParams& params, int threads, const KernelEntry& kernel = default_kernel());
 
     void operator()(const ImageView& reference, const ImageView& newer, const BlockLayout& layout,
                     const std::vector<Eigen::Vector2d>& predicted_px, std::vector<FlowVector>& vectors);

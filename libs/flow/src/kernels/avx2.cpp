@@ -1,0 +1,69 @@
+// vmpsadbw: in each half of a register, the sums of absolute differences of 4 pixels of the block with 8
+// places of the window, so 16 sums of 4 pixels in one instruction.
+#include <immintrin.h>
+
+#include "summary.h"
+#include "units.h"
+
+namespace flownav::kernels::avx2 {
+namespace {
+
+/// Pixels 0-3, 4-7, 8-11, 12-15 of the block, with the window from byte 0 or 4 of each half on.
+constexpr int quad_0 = 0b000'000, quad_1 = 0b101'101, quad_2 = 0b010'010, quad_3 = 0b111'111;
+
+/// Every row of the window as its 16-byte pieces from byte 0 and 8, and from 8 and 16 on: all 16 places of
+/// the first two quads of the block, and of the last two.
+struct alignas(64) Pieces {
+    __m256i row[reached_px][2];
+};
+
+__m128i load(const uint8_t* from) {
+    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
+}
+
+void cut(const uint8_t* window, ptrdiff_t stride, Pieces& pieces) {
+    for (int v = 0; v < reached_px; ++v) {
+        const uint8_t* row = window + v * stride;
+        const __m128i middle = load(row + 8);
+        const __m128i end = _mm_srli_si128(load(row + 15), 1);  // the 32nd byte may be no memory of ours
+        pieces.row[v][0] = _mm256_set_m128i(middle, load(row));
+        pieces.row[v][1] = _mm256_set_m128i(end, middle);
+    }
+}
+
+/// Eight rows of offsets: as many sums as there is room for in the registers.
+void eight_rows(const uint8_t* block, ptrdiff_t stride, const __m256i (*pieces)[2], uint16_t* costs) {
+    __m256i sums[8];
+    for (__m256i& sum : sums) sum = _mm256_setzero_si256();
+    for (int v = 0; v < side; ++v) {
+        const __m256i pixels = _mm256_broadcastsi128_si256(load(block + v * stride));
+#pragma GCC unroll 8
+        for (int nu = 0; nu < 8; ++nu) {
+            const __m256i left = pieces[v + nu][0];
+            const __m256i right = pieces[v + nu][1];
+            const __m256i half = _mm256_add_epi16(_mm256_mpsadbw_epu8(left, pixels, quad_0),
+                                                  _mm256_mpsadbw_epu8(left, pixels, quad_1));
+            const __m256i other = _mm256_add_epi16(_mm256_mpsadbw_epu8(right, pixels, quad_2),
+                                                   _mm256_mpsadbw_epu8(right, pixels, quad_3));
+            sums[nu] = _mm256_add_epi16(sums[nu], _mm256_add_epi16(half, other));
+        }
+    }
+    for (int nu = 0; nu < 8; ++nu)
+        _mm256_store_si256(reinterpret_cast<__m256i*>(costs + nu * side), sums[nu]);
+}
+
+}  // namespace
+
+void surface_of(const uint8_t* block, ptrdiff_t block_stride, const uint8_t* window, ptrdiff_t window_stride,
+                Surface& surface) {
+    Pieces pieces;
+    cut(window, window_stride, pieces);
+    eight_rows(block, block_stride, pieces.row, surface.cost);
+    eight_rows(block, block_stride, pieces.row + 8, surface.cost + 8 * side);
+}
+
+Summary summary_of(const Surface& surface) {
+    return summarised(surface);
+}
+
+}  // namespace flownav::kernels::avx2
