@@ -14,6 +14,9 @@ using Eigen::Vector2d;
 constexpr double degrees = 180.0 / M_PI;
 constexpr double table_cell_m = 0.03;  // coarser ones close passages of a robot's width
 constexpr int paths = 81;
+// Paths that turn to a heading at once lead a robot that follows something away from it again and again.
+constexpr double circles_priority = 1.0;
+constexpr double headings_priority = 0.5;
 
 Vector2d outward(const Vector2d& from, const Vector2d& to) {
     const Vector2d along = (to - from).normalized();
@@ -130,8 +133,8 @@ std::string reactive_config(const NavigatorOptions& options) {
         << "\n[CReactiveNavigationSystem]\n"
         << "min_obstacles_height = 0\nmax_obstacles_height = " << robot.height_m << '\n'
         << "PTG_COUNT = 2\n";
-    write_ptg(out, 0, "CPTG_DiffDrive_C", robot, 1.0);
-    write_ptg(out, 1, "CPTG_DiffDrive_alpha", robot, 1.0);
+    write_ptg(out, 0, "CPTG_DiffDrive_C", robot, circles_priority);
+    write_ptg(out, 1, "CPTG_DiffDrive_alpha", robot, headings_priority);
     write_shape(out, inflated(robot.footprint_m, reactive_margin_m));
     return out.str();
 }

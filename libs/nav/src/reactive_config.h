@@ -13,7 +13,7 @@ Polygon inflated(const Polygon& polygon, double by_m);
 std::string reactive_config(const NavigatorOptions& options);
 
 /// Room that the tables of CReactiveNavigationSystem keep between the footprint and the middle of a cell.
-constexpr double reactive_margin_m = 0.06;
+constexpr double reactive_margin_m = 0.08;
 
 /// How far it looks.
 constexpr double reactive_range_m = 4.0;
