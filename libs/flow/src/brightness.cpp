@@ -15,15 +15,16 @@ constexpr int rounds = 3;
 constexpr double kept_share = 0.7;  // of the blocks, those that follow the others best
 
 struct Sums {
-    std::uint32_t greys = 0, squares = 0;
+    int greys = 0, squares = 0;
 };
 
+// Products of 16-bit numbers, as the vectoriser knows an instruction for their sums.
 Sums sums_of(const ImageView& image, const Eigen::Vector2i& corner_px) {
     Sums s;
     for (int v = 0; v < block_px; ++v) {
         const std::uint8_t* row = image.row(corner_px.y() + v) + corner_px.x();
         for (int u = 0; u < block_px; ++u) {
-            const std::uint32_t grey = row[u];
+            const std::int16_t grey = row[u];
             s.greys += grey;
             s.squares += grey * grey;
         }

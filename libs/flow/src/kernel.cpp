@@ -44,17 +44,14 @@ struct Padded {
 
 /// Costs outside the range are none. Returns how many there are.
 int clear_outside(const SearchRange& range, std::uint16_t* cost) {
-    int cleared = 0;
     for (int nu = search_min; nu <= search_max; ++nu) {
-        for (int mu = search_min; mu <= search_max; ++mu) {
-            const bool inside =
-                mu >= range.mu_min && mu <= range.mu_max && nu >= range.nu_min && nu <= range.nu_max;
-            if (inside) continue;
-            cost[index_of(mu, nu)] = no_cost;
-            ++cleared;
-        }
+        std::uint16_t* row = cost + index_of(search_min, nu);
+        const bool inside = nu >= range.nu_min && nu <= range.nu_max;
+        std::fill(row, row + (inside ? range.mu_min - search_min : search_px), no_cost);
+        if (inside) std::fill(row + (range.mu_max + 1 - search_min), row + search_px, no_cost);
     }
-    return cleared;
+    const int inside = (range.mu_max + 1 - range.mu_min) * (range.nu_max + 1 - range.nu_min);
+    return kernels::offsets - inside;
 }
 
 /// Fills a surface. Returns how many of its offsets lie outside the range.

@@ -19,17 +19,33 @@ GreyBlock gather(const ImageView& image, const Eigen::Vector2i& corner_px, const
     return block;
 }
 
+struct Greys {
+    GreyTable table;
+    bool identity;
+};
+
+Greys greys_of(const Brightness& brightness) {
+    Greys greys{grey_table(brightness), true};
+    for (std::size_t i = 0; i < greys.table.size(); ++i) greys.identity &= greys.table[i] == i;
+    return greys;
+}
+
 FlowVector match_one(const ImageView& reference, const ImageView& newer, const Eigen::Vector2i& corner_px,
-                     const Eigen::Vector2i& bias_px, const MatchSettings& settings, const GreyTable& greys) {
+                     const Eigen::Vector2i& bias_px, const MatchSettings& settings, const Greys& greys) {
     FlowVector vector;
     vector.at_px = corner_px.cast<double>().array() + (block_px - 1) / 2.0;
     const SearchRange range = clipped_range(corner_px, bias_px, newer);
     if (range.empty()) return vector;
-    const GreyBlock block = gather(reference, corner_px, greys);
     const Eigen::Vector2i window = corner_px + bias_px;
-    const BlockMatch match = settings.kernel->match(block.data(), block_px,
-                                                    newer.data + window.y() * newer.stride_bytes + window.x(),
-                                                    newer.stride_bytes, range);
+    const std::uint8_t* first = newer.data + window.y() * newer.stride_bytes + window.x();
+    BlockMatch match;
+    if (greys.identity) {
+        const std::uint8_t* block = reference.row(corner_px.y()) + corner_px.x();
+        match = settings.kernel->match(block, reference.stride_bytes, first, newer.stride_bytes, range);
+    } else {
+        const GreyBlock block = gather(reference, corner_px, greys.table);
+        match = settings.kernel->match(block.data(), block_px, first, newer.stride_bytes, range);
+    }
     vector.flow_px = bias_px.cast<double>() + refined_offset_px(match, settings.subpixel);
     vector.sigma_px = sigma_px_of(match);
     vector.confidence = confidence_of(match);
@@ -50,7 +66,7 @@ void match_blocks(const ImageView& reference, const ImageView& newer, const Bloc
                   const std::vector<Eigen::Vector2i>& bias_px, const MatchSettings& settings,
                   std::vector<FlowVector>& vectors) {
     vectors.resize(layout.size());
-    const GreyTable greys = grey_table(settings.brightness);
+    const Greys greys = greys_of(settings.brightness);
     const int n = static_cast<int>(layout.size());
 #pragma omp parallel for num_threads(settings.threads) schedule(static) if (settings.threads > 1)
     for (int i = 0; i < n; ++i)

@@ -21,7 +21,7 @@ bool better(const Support& a, const Support& b) {
 
 /// The best of what was tried, apart for rotations that continue the last motion and for all others.
 struct Contest {
-    const std::vector<MotionScratch::Across>& rows;
+    MotionScratch& scratch;
     const MotionPrediction& prediction;
     double lambda_px;
     Consensus continuing, other;
@@ -30,7 +30,7 @@ struct Contest {
         const bool continues =
             std::abs(turn.omega_rad - prediction.omega_rad) <= prediction.omega_tolerance_rad;
         Consensus& rival = continues ? continuing : other;
-        const Support support = support_of(rows, turn, lambda_px);
+        const Support support = support_of(scratch.votes, turn, lambda_px);
         if (better(support, rival.support)) rival = {turn, support, continues};
     }
     const Consensus& winner() const {
@@ -55,9 +55,9 @@ bool turn_of(const MotionScratch::Across& p, const MotionScratch::Across& q, Mot
 /// Pairs spread evenly over all pairs, always the same ones.
 void enter_pairs(Contest& contest, MotionModel model) {
     constexpr double plastic = 1.32471795724474602596;  // x^3 = x + 1
-    const auto n = static_cast<double>(contest.rows.size());
+    const auto n = static_cast<double>(contest.scratch.across.size());
     const auto pick = [&](double x) {
-        return contest.rows[static_cast<std::size_t>((x - std::floor(x)) * n)];
+        return contest.scratch.across[static_cast<std::size_t>((x - std::floor(x)) * n)];
     };
     for (int k = 1; k <= pairs_tried; ++k) {
         Turn turn;
@@ -67,7 +67,14 @@ void enter_pairs(Contest& contest, MotionModel model) {
 
 }  // namespace
 
-void assign_cells(std::vector<MotionScratch::Across>& rows) {
+void prepare_votes(MotionScratch& scratch) {
+    auto& rows = scratch.across;
+    auto& votes = scratch.votes;
+    const std::size_t n = rows.size();
+    for (auto* numbers : {&votes.turn, &votes.pitch, &votes.measured, &votes.deviation_px})
+        numbers->resize(n);
+    votes.cell.resize(n);
+    votes.agrees.resize(n);
     if (rows.empty()) return;
     Eigen::Vector2d low = rows.front().at;
     Eigen::Vector2d high = rows.front().at;
@@ -76,22 +83,35 @@ void assign_cells(std::vector<MotionScratch::Across>& rows) {
         high = high.cwiseMax(row.at);
     }
     const Eigen::Vector2d size = (high - low).cwiseMax(1e-9);
-    for (auto& row : rows) {
-        const Eigen::Vector2d share = (row.at - low).cwiseQuotient(size);
-        row.cell = std::min(columns - 1, static_cast<int>(share.x() * columns)) +
-                   columns * std::min(lines - 1, static_cast<int>(share.y() * lines));
+    for (std::size_t i = 0; i < n; ++i) {
+        const Eigen::Vector2d share = (rows[i].at - low).cwiseQuotient(size);
+        votes.cell[i] = std::min(columns - 1, static_cast<int>(share.x() * columns)) +
+                        columns * std::min(lines - 1, static_cast<int>(share.y() * lines));
+        votes.turn[i] = rows[i].turn;
+        votes.pitch[i] = rows[i].pitch;
+        votes.measured[i] = rows[i].measured;
+        votes.deviation_px[i] = rows[i].deviation_px;
     }
 }
 
-Support support_of(const std::vector<MotionScratch::Across>& rows, const Turn& turn, double lambda_px) {
+Support support_of(MotionScratch::Votes& votes, const Turn& turn, double lambda_px) {
+    constexpr double vote_px = 0.4;
+    constexpr double vote_deviations = 3.0;
+    const std::size_t n = votes.turn.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const double r =
+            std::abs(votes.measured[i] - votes.turn[i] * turn.omega_rad - votes.pitch[i] * turn.pitch_rad);
+        const double r_px = r * votes.deviation_px[i];
+        votes.agrees[i] = static_cast<int>(r_px < lambda_px) &
+                          (static_cast<int>(r < vote_deviations) | static_cast<int>(r_px < vote_px));
+    }
     std::array<int, cells> all{};
     std::array<int, cells> agreeing{};
     Support s;
-    for (const auto& row : rows) {
-        const bool yes = agrees(row, turn, lambda_px);
-        ++all[row.cell];
-        agreeing[row.cell] += yes;
-        s.vectors += yes;
+    for (std::size_t i = 0; i < n; ++i) {
+        ++all[votes.cell[i]];
+        agreeing[votes.cell[i]] += votes.agrees[i];
+        s.vectors += votes.agrees[i];
     }
     for (std::size_t i = 0; i < all.size(); ++i) {
         s.all_cells += all[i] >= cell_votes_min;
@@ -100,16 +120,16 @@ Support support_of(const std::vector<MotionScratch::Across>& rows, const Turn& t
     return s;
 }
 
-Consensus find_consensus(const std::vector<MotionScratch::Across>& rows, double background_rad,
-                         const MotionPrediction& prediction, const MotionParams& params) {
-    Contest contest{rows, prediction, params.lambda_px, {}, {}};
+Consensus find_consensus(MotionScratch& scratch, double background_rad, const MotionPrediction& prediction,
+                         const MotionParams& params) {
+    Contest contest{scratch, prediction, params.lambda_px, {}, {}};
     const double pitch_rad = params.model == MotionModel::YawPitch ? prediction.pitch_rad : 0.0;
     contest.continuing = {{prediction.omega_rad, pitch_rad}, {}, true};
     contest.other = {{background_rad, 0.0}, {}, false};
     contest.enter({prediction.omega_rad, pitch_rad});
     contest.enter({background_rad, pitch_rad});
     contest.enter({background_rad, 0.0});
-    if (!rows.empty()) enter_pairs(contest, params.model);
+    if (!scratch.across.empty()) enter_pairs(contest, params.model);
     return contest.winner();
 }
 

@@ -16,17 +16,8 @@ inline double residual(const MotionScratch::Across& row, const Turn& turn) {
     return row.measured - row.turn * turn.omega_rad - row.pitch * turn.pitch_rad;
 }
 
-/// True when a vector agrees with a rotation: within its own error, or what the method itself errs, and
-/// within lambda, across e.
-inline bool agrees(const MotionScratch::Across& row, const Turn& turn, double lambda_px) {
-    constexpr double vote_px = 0.4;
-    constexpr double vote_deviations = 3.0;
-    const double r = std::abs(residual(row, turn));
-    return r * row.deviation_px < lambda_px && (r < vote_deviations || r * row.deviation_px < vote_px);
-}
-
-/// Divides the image into 8 x 6 cells and enters the cell of every row.
-void assign_cells(std::vector<MotionScratch::Across>& rows);
+/// Divides the image into 8 x 6 cells, and makes a vote of every row.
+void prepare_votes(MotionScratch& scratch);
 
 /// Over how much of the image the vectors agree with a rotation. A cell counts when most of its vectors, and
 /// two at least, agree: many vectors on something close together weigh no more than few all over.
@@ -38,7 +29,9 @@ struct Support {
     double share() const { return all_cells > 0 ? static_cast<double>(cells) / all_cells : 0.0; }
 };
 
-Support support_of(const std::vector<MotionScratch::Across>& rows, const Turn& turn, double lambda_px);
+/// After prepare_votes(). A vector agrees with a rotation within its own error, or what the method itself
+/// errs, and within lambda, across e.
+Support support_of(MotionScratch::Votes& votes, const Turn& turn, double lambda_px);
 
 struct Consensus {
     Turn turn;
@@ -49,7 +42,7 @@ struct Consensus {
 /// The rotation to start from: the one with the widest support among the predicted one, the background of
 /// [S] and the rotations that pairs of vectors stand for. A rotation as predicted wins against another with
 /// up to twice its support: what moves across a large part of the view does not turn the robot.
-Consensus find_consensus(const std::vector<MotionScratch::Across>& rows, double background_rad,
-                         const MotionPrediction& prediction, const MotionParams& params);
+Consensus find_consensus(MotionScratch& scratch, double background_rad, const MotionPrediction& prediction,
+                         const MotionParams& params);
 
 }  // namespace flownav

@@ -94,17 +94,16 @@ void set_up_rotation(const std::vector<MotionSample>& samples, const CameraModel
         row.weight = 1.0;
         row.deviation_px = deviation / deviation_across(e, one_pixel(camera));
         row.at = s.ray.at;
-        row.cell = 0;
         scratch.across.push_back(row);
     }
-    assign_cells(scratch.across);
+    prepare_votes(scratch);
 }
 
 Consensus start_rotation(const std::vector<MotionSample>& samples, const CameraModel& camera,
                          const Vector2d& direction, const MotionPrediction& prediction,
                          const MotionParams& params, MotionScratch& scratch) {
     const double background_rad = background(samples, camera, direction, scratch);
-    return find_consensus(scratch.across, background_rad, prediction, params);
+    return find_consensus(scratch, background_rad, prediction, params);
 }
 
 Rotation fit_rotation(const Turn& start, const MotionParams& params, MotionScratch& scratch) {
@@ -115,7 +114,7 @@ Rotation fit_rotation(const Turn& start, const MotionParams& params, MotionScrat
         for (auto& row : scratch.across) row.weight = biweight(residual(row, r.turn) / r.noise_factor);
         solve(scratch, params.model, r);
     }
-    r.support = support_of(scratch.across, r.turn, params.lambda_px);
+    r.support = support_of(scratch.votes, r.turn, params.lambda_px);
     return r;
 }
 

@@ -15,12 +15,15 @@ constexpr double significance = 3.0;  // deviations by which an obstacle must st
 
 }  // namespace
 
-Judgement judge(const RayFlow& travel, const CameraModel& camera, const EgoMotion& motion,
-                double noise_factor, const ObstacleParams& params) {
-    const PlaneGeometry plane(camera.mount);
-    const Vector2d displacement =
-        camera_travel(camera.mount, motion.forward_m, motion.omega_rad, motion.chord_rad);
-    const Vector2d e = plane.e(travel.at, displacement);  // in metres: S e of Eq. (3)
+JudgedMotion::JudgedMotion(const CameraModel& camera, const EgoMotion& motion, double noise_factor_of_image)
+    : plane(camera.mount),
+      displacement_m(camera_travel(camera.mount, motion.forward_m, motion.omega_rad, motion.chord_rad)),
+      pixel(one_pixel(camera)),
+      noise_factor(noise_factor_of_image),
+      travel_error(motion.sigma_forward_m / std::max(displacement_m.norm(), 1e-9)) {}
+
+Judgement judge(const RayFlow& travel, const JudgedMotion& motion, const ObstacleParams& params) {
+    const Vector2d e = motion.plane.e(travel.at, motion.displacement_m);  // in metres: S e of Eq. (3)
     const Vector2d& d = travel.flow;
     Judgement j;
     j.at = travel.at;
@@ -29,22 +32,21 @@ Judgement judge(const RayFlow& travel, const CameraModel& camera, const EgoMotio
     if (length < 1e-9) return j;
     j.measured = true;
     j.drift = d;
-    j.drift_sigma = noise_factor * travel.sigma.maxCoeff();
-    const double one_px = deviation_along(e, one_pixel(camera));
+    j.drift_sigma = motion.noise_factor * travel.sigma.maxCoeff();
+    const double one_px = deviation_along(e, motion.pixel);
     // Eq. (10), with the travel inside e
     j.inverse_depth = e.dot(d) / (length * length);
-    const double deviation = noise_factor * deviation_along(e, travel.sigma);
+    const double deviation = motion.noise_factor * deviation_along(e, travel.sigma);
     j.sigma = deviation / length;
     // Eq. (13)
-    const double ground = plane.ground_inverse_depth(travel.at);
+    const double ground = motion.plane.ground_inverse_depth(travel.at);
     j.excess_px = (j.inverse_depth - ground) * length / one_px;
     // What the vector's own error and a speed that is not known well could explain of the excess.
     const double ground_px = ground * length / one_px;
-    const double travel_error = motion.sigma_forward_m / std::max(displacement.norm(), 1e-9);
     const double tau_px =
-        std::max(params.tau_px, significance * deviation / one_px) + 2.0 * travel_error * ground_px;
+        std::max(params.tau_px, significance * deviation / one_px) + 2.0 * motion.travel_error * ground_px;
     // Eq. (11)
-    j.across_px = std::abs(cross(e, d)) / (length * deviation_across(e, one_pixel(camera)));
+    j.across_px = std::abs(cross(e, d)) / (length * deviation_across(e, motion.pixel));
     if (j.across_px >= params.lambda_px || e.dot(d) <= 0.0) {
         j.fate = BlockFate::Eliminated;
     } else if (j.excess_px > tau_px) {

@@ -1,5 +1,7 @@
 #include "field_quality.h"
 
+#include <cstdint>
+
 namespace flownav::pipeline {
 namespace {
 
@@ -13,17 +15,21 @@ constexpr int white = 253;
 
 bool is_picture(const ImageView& image) {
     if (image.empty()) return false;
-    double n = 0, sum = 0, sum2 = 0, saturated = 0;
+    std::int64_t counted = 0, greys = 0, squares = 0, saturated = 0;
     for (int v = 0; v < image.height_px; v += step_px) {
+        const std::uint8_t* row = image.row(v);
         for (int u = 0; u < image.width_px; u += step_px) {
-            const int grey = image.at(u, v);
-            n += 1;
-            sum += grey;
-            sum2 += static_cast<double>(grey) * grey;
-            saturated += grey <= black || grey >= white;
+            const int grey = row[u];
+            ++counted;
+            greys += grey;
+            squares += grey * grey;
+            saturated += static_cast<int>(grey <= black) | static_cast<int>(grey >= white);
         }
     }
-    return sum2 / n - (sum / n) * (sum / n) >= variance_min && saturated <= saturated_share_max * n;
+    const auto n = static_cast<double>(counted);
+    const double mean = static_cast<double>(greys) / n;
+    return static_cast<double>(squares) / n - mean * mean >= variance_min &&
+           static_cast<double>(saturated) <= saturated_share_max * n;
 }
 
 }  // namespace flownav::pipeline

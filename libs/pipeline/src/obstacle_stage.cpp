@@ -31,15 +31,13 @@ void count_fate(BlockCounts& counts, BlockFate fate) {
 }  // namespace
 
 void judge_blocks(State::Impl& s) {
-    const CameraModel& camera = s.reference.field.camera;
     for (std::size_t i = 0; i < s.layout.size(); ++i) {
         const BlockRecord& block = s.step.blocks[i];
         s.judgements[i] = {};
         s.judgements[i].fate = block.fate;
         if (block.image_of_cycle == 0) continue;
         const ImageOfCycle& image = s.cycle[block.image_of_cycle - 1];
-        s.judgements[i] =
-            judge(image.derotation(block.ray), camera, image.motion, image.noise_factor, s.params.obstacles);
+        s.judgements[i] = judge(image.derotation(block.ray), image.judged, s.params.obstacles);
         s.judgements[i].drift /= block.image_of_cycle;
         s.judgements[i].drift_sigma /= block.image_of_cycle;
     }

@@ -12,8 +12,8 @@ namespace flownav::pipeline {
 /// Motion from the reference to one image of the cycle.
 struct ImageOfCycle {
     EgoMotion motion;
-    double noise_factor = 1.0;
     Derotation derotation;
+    JudgedMotion judged;
 };
 
 /// Rates that predict the next motion.

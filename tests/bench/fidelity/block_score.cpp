@@ -24,7 +24,7 @@ double true_excess_px(const Moment& m, const Vector2d& at_px, const Vector2d& fl
         testing::exact_motion(testing::true_view(scene, m.reference), testing::true_view(scene, m.image));
     const Derotation derotated(PlaneGeometry(reference.mount), motion.omega_rad, motion.pitch_rad,
                                Geometry::MidPoint);
-    return judge(derotated(ray), reference, motion, 1.0, m.config.pipeline.obstacles).excess_px;
+    return judge(derotated(ray), {reference, motion, 1.0}, m.config.pipeline.obstacles).excess_px;
 }
 
 /// Whether a block and a little around it show nothing but the ground.

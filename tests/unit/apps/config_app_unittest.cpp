@@ -8,6 +8,7 @@
 
 #include "app_runs.h"
 #include "flownav/core/version.h"
+#include "flownav/flow/kernel.h"
 #include "flownav/sensor/config.h"
 
 namespace flownav {
@@ -77,7 +78,8 @@ TEST(ConfigApp, HelpAndVersionGoToStandardOutput) {
     const Outcome help = run({"--help"});
     EXPECT_EQ(help.status, 0);
     EXPECT_NE(help.out.find("Exit status"), std::string::npos);
-    EXPECT_EQ(run({"--version"}).out, std::string("flownav-config ") + version() + "\n");
+    EXPECT_EQ(run({"--version"}).out, std::string("flownav-config ") + version() +
+                                          "\nmatching kernel: " + default_kernel().name + "\n");
 }
 
 TEST(ConfigApp, WrongArgumentsExitWithOneAndPointToHelp) {

@@ -12,6 +12,7 @@
 
 #include "app_runs.h"
 #include "flownav/core/version.h"
+#include "flownav/flow/kernel.h"
 #include "flownav/replay/field_source.h"
 
 namespace flownav {
@@ -54,7 +55,8 @@ TEST(ImportApp, HelpAndVersionGoToTheOutputWithStatusZero) {
     EXPECT_TRUE(help.error.empty());
     expect_names(help.out, {"kitti-odometry", "kitti-raw", "images", "video", "Exit status", "--times"});
     EXPECT_EQ(run({"images", "--help"}).status, 0);
-    EXPECT_EQ(run({"--version"}).out, "flownav-import " + std::string(version()) + "\n");
+    EXPECT_EQ(run({"--version"}).out, "flownav-import " + std::string(version()) +
+                                          "\nmatching kernel: " + default_kernel().name + "\n");
 }
 
 TEST(ImportApp, BadUsageIsStatusOneAndPointsToHelp) {

@@ -10,6 +10,7 @@
 
 #include "app_runs.h"
 #include "flownav/core/version.h"
+#include "flownav/flow/kernel.h"
 #include "flownav/replay/field_source.h"
 #include "flownav/replay/replay.h"
 #include "flownav/sim/generate_world.h"
@@ -61,7 +62,8 @@ TEST(SimApp, HelpAndVersionGoToTheOutputWithStatusZero) {
     EXPECT_TRUE(help.error.empty());
     for (const char* part : {"--script", "--path", "--generate", "Exit status", "--interlaced"})
         EXPECT_NE(help.out.find(part), std::string::npos) << part;
-    EXPECT_EQ(run({"--version"}).out, "flownav-sim " + std::string(version()) + "\n");
+    EXPECT_EQ(run({"--version"}).out,
+              "flownav-sim " + std::string(version()) + "\nmatching kernel: " + default_kernel().name + "\n");
 }
 
 TEST(SimApp, BadUsageIsStatusOneAndSaysWhatIsWrong) {

@@ -46,7 +46,7 @@ RayFlow floor_vector(double longer_px = 0.0, double beside_px = 0.0) {
 }
 
 Judgement judged(const RayFlow& ray, const EgoMotion& motion = turning_drive(), double noise_factor = 1.0) {
-    return judge(ray, camera, motion, noise_factor, {});
+    return judge(ray, {camera, motion, noise_factor}, {});
 }
 
 TEST(Judge, AVectorAsLongAsOnTheGroundIsGround) {
@@ -132,8 +132,8 @@ TEST(Judge, SwingOfACameraAheadOfTheAxisIsPartOfTheTravel) {
     const Vector2d e = plane.e(near_floor, {m.forward_m, 0.3 * m.omega_rad});
     RayFlow ray = floor_vector();
     ray.flow = e * plane.ground_inverse_depth(near_floor);
-    EXPECT_EQ(judge(ray, ahead, m, 1.0, {}).fate, BlockFate::Ground);
-    EXPECT_EQ(judge(ray, camera, m, 1.0, {}).fate, BlockFate::Eliminated);
+    EXPECT_EQ(judge(ray, {ahead, m, 1.0}, {}).fate, BlockFate::Ground);
+    EXPECT_EQ(judge(ray, {camera, m, 1.0}, {}).fate, BlockFate::Eliminated);
 }
 
 TEST(Judge, PixelsOfAFieldCountAsTheyAre) {
@@ -141,7 +141,7 @@ TEST(Judge, PixelsOfAFieldCountAsTheyAre) {
     const Vector2d below(0.0, 0.2);  // e points down: one line of a field is two of the frame
     RayFlow ray = vector_of(below, plane.ground_inverse_depth(below), turning_drive(), 2.0);
     EXPECT_NEAR(judged(ray).excess_px, 2.0, 1e-9);
-    EXPECT_NEAR(judge(ray, field, turning_drive(), 1.0, {}).excess_px, 1.0, 1e-9);
+    EXPECT_NEAR(judge(ray, {field, turning_drive(), 1.0}, {}).excess_px, 1.0, 1e-9);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ struct SeenPoint {
         const EgoMotion motion = testing::exact_motion({}, T_from_to);
         const Derotation derotated(PlaneGeometry(from.camera.mount), motion.omega_rad, 0.0,
                                    Geometry::MidPoint);
-        judgement = judge(derotated(ray), from.camera, motion, 1.0, {});
+        judgement = judge(derotated(ray), {from.camera, motion, 1.0}, {});
     }
 
     std::optional<ObstaclePoint> point(const ObstacleParams& params = {}, double sigma_travel = 0.0) const {

@@ -58,12 +58,12 @@ struct PlaneGeometry {
 
 /// Standard deviation of a vector along `direction` when its components x and y have the deviations `sigma`.
 inline double deviation_along(const Eigen::Vector2d& direction, const Eigen::Vector2d& sigma) {
-    return std::hypot(direction.x() * sigma.x(), direction.y() * sigma.y()) / direction.norm();
+    return direction.cwiseProduct(sigma).norm() / direction.norm();
 }
 
 /// The same across `direction`.
 inline double deviation_across(const Eigen::Vector2d& direction, const Eigen::Vector2d& sigma) {
-    return std::hypot(direction.y() * sigma.x(), direction.x() * sigma.y()) / direction.norm();
+    return Eigen::Vector2d(direction.y() * sigma.x(), direction.x() * sigma.y()).norm() / direction.norm();
 }
 
 /// One pixel on the normalised plane, in x and y: with deviation_along() and deviation_across() the measure

@@ -26,14 +26,19 @@ struct MotionScratch {
         double turn, pitch, measured, weight;
         double deviation_px;
         Eigen::Vector2d at;
-        int cell;
     };
     /// The travel that one vector of the floor stands for, with its deviation.
     struct Along {
         double travel_m, sigma_m;
     };
+    /// The same equations side by side, for those who ask all of them the same again and again.
+    struct Votes {
+        std::vector<double> turn, pitch, measured, deviation_px;
+        std::vector<int> cell, agrees;
+    };
     std::vector<OmegaSample> omegas;
     std::vector<Across> across;
+    Votes votes;
     std::vector<Along> along;
     std::vector<double> values;
 };

@@ -23,12 +23,22 @@ struct Judgement {
     bool measured = false;  ///< false: there is no vector
 };
 
+/// What the vectors of one image have in common.
+struct JudgedMotion {
+    JudgedMotion() = default;
+    /// `noise_factor`: errors of this image over what the deviations of its vectors say.
+    JudgedMotion(const CameraModel& camera, const EgoMotion& motion, double noise_factor_of_image);
+
+    PlaneGeometry plane;
+    Eigen::Vector2d displacement_m = Eigen::Vector2d::Zero();  ///< of the camera on the ground
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();           ///< one, on the normalised plane
+    double noise_factor = 1.0;
+    double travel_error = 0.0;  ///< relative deviation of the travel
+};
+
 /// Eliminates by (11) and decides by (13). `travel`: a vector without its rotation, see Derotation.
-/// `noise_factor`: errors of this image over what the deviations of
-/// its vectors say. A candidate obstacle comes back as BlockFate::Unsupported until its neighbours have been
-/// asked.
-Judgement judge(const RayFlow& travel, const CameraModel& camera, const EgoMotion& motion,
-                double noise_factor, const ObstacleParams& params);
+/// A candidate obstacle comes back as BlockFate::Unsupported until its neighbours have been asked.
+Judgement judge(const RayFlow& travel, const JudgedMotion& motion, const ObstacleParams& params);
 
 /// The neighbourhood filter: candidates with at least params.neighbours neighbours of about the same depth
 /// become obstacles. `neighbours`: indices of the nearest blocks of each, -1 behind the last.
