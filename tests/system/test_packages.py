@@ -60,6 +60,7 @@ OF_PROGRAM = {
     "python3": {"python3"},
     "rawlog-edit": {"mrpt-apps"},
     "rawlog-grabber": {"mrpt-apps"},
+    "valgrind": {"valgrind"},
     "xdotool": {"xdotool"},
     "Xvfb": {"xvfb"},
     "sudo": set(),  # only where one is not root; looked for first
