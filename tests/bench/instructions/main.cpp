@@ -1,5 +1,6 @@
-// What callgrind counts: one field after the other through the matcher, and then through the whole chain. Without
-// valgrind the requests to it do nothing. Usage: flownav-bench-instructions RAWLOG KERNEL; status 77: no such kernel.
+// What callgrind counts: one field after the other through the matcher, and then through the whole chain.
+// Without valgrind the requests to it do nothing. Usage: flownav-bench-instructions RAWLOG KERNEL; status 77:
+// no such kernel.
 #include <valgrind/callgrind.h>
 
 #include <algorithm>
