@@ -6,7 +6,7 @@
 
 namespace flownav::bench {
 
-// Each enters its benchmarks; main() runs them. Names are paths that page.py knows.
+// Each enters its benchmarks; main() runs them.
 void register_kernels();
 void register_flow_comparison();
 void register_steps();

@@ -1,4 +1,4 @@
-// Speed and where the time goes; see run.sh for the page that is made of it.
+// Speed and where the time goes. Run: build/release/tests/bench/flownav-bench
 #include <benchmark/benchmark.h>
 
 #include <exception>
