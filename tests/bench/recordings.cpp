@@ -1,4 +1,4 @@
-// Writes the same recording in several ways of storing it, and a long drive: what run.sh measures replay
+// Writes the same recording in several ways of storing it, and a long drive: what replay is measured
 // with. Usage: flownav-bench-recordings FOLDER [ROUNDS]; the long drive is the sample so many times over.
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/io/CFileOutputStream.h>
