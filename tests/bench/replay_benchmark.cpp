@@ -1,7 +1,10 @@
-// Replay of a rawlog: decoding alone, the whole, and memory over a long drive.
+// Replay of rawlogs: reading and unpacking alone, and the whole with all its outputs.
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
 
+#include <algorithm>
+#include <cstdlib>
+
+#include "benchmarks.h"
 #include "flownav/replay/field_source.h"
 #include "flownav/replay/replay.h"
 #include "sample.h"
@@ -9,38 +12,67 @@
 namespace flownav::bench {
 namespace {
 
-double peak_memory_mb() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) / 1024.0;
+namespace fs = std::filesystem;
+
+/// Those of $FLOWNAV_BENCH_RECORDINGS, which flownav-bench-recordings makes, or the sample.
+std::vector<fs::path> recordings() {
+    const char* folder = std::getenv("FLOWNAV_BENCH_RECORDINGS");
+    if (folder == nullptr) return {sample_rawlog()};
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".rawlog" && entry.path().stem() != "long")
+            found.push_back(entry.path());
+    std::sort(found.begin(), found.end());
+    return found;
 }
 
-/// Reading and unpacking alone; holds one field at a time.
-void Decode(benchmark::State& state) {
-    std::int64_t fields = 0;
+/// Of the rawlog and the images beside it.
+double size_mb(const fs::path& rawlog) {
+    double bytes = static_cast<double>(fs::file_size(rawlog));
+    const fs::path images = rawlog.parent_path() / (rawlog.stem().string() + "_Images");
+    if (fs::exists(images))
+        for (const auto& entry : fs::directory_iterator(images))
+            bytes += static_cast<double>(entry.file_size());
+    return bytes / 1e6;
+}
+
+/// Holds one field at a time.
+void time_decode(benchmark::State& state, const fs::path& rawlog) {
+    std::size_t fields = 0;
     while (state.KeepRunning()) {
-        RawlogReader reader(sample_rawlog());
+        fields = 0;
+        RawlogReader reader(rawlog);
         FieldSource source(reader, {});
-        while (const auto event = source.next()) fields += std::holds_alternative<Field>(*event);
+        while (const auto event = source.next()) fields += std::holds_alternative<Field>(*event) ? 1 : 0;
     }
-    state.SetItemsProcessed(fields);
+    state.counters["fields"] = static_cast<double>(fields);
+    state.counters["size_MB"] = size_mb(rawlog);
 }
-BENCHMARK(Decode)->Unit(benchmark::kMillisecond);
 
-/// flownav-replay with all its outputs.
-void Replay(benchmark::State& state) {
+void time_replay(benchmark::State& state, const fs::path& rawlog, int threads) {
     ReplayOptions options;
-    options.input = sample_rawlog();
-    options.output = std::filesystem::temp_directory_path() / "flownav-bench";
-    options.config.pipeline.threads = static_cast<int>(state.range(0));
+    options.input = rawlog;
+    options.output = fs::temp_directory_path() / "flownav-bench";
+    options.config.pipeline.threads = threads;
     while (state.KeepRunning()) {
-        if (replay(options).status != ExitStatus::Fine) state.SkipWithError("replay failed");
+        const ReplayResult result = replay(options);
+        if (result.status != ExitStatus::Fine) state.SkipWithError(result.message.c_str());
     }
-    std::filesystem::remove_all(options.output);
-    state.SetItemsProcessed(static_cast<std::int64_t>(sample_fields().size()) * state.iterations());
-    state.counters["peak_memory_MB"] = peak_memory_mb();
+    fs::remove_all(options.output);
+    state.counters["fields"] = static_cast<double>(read_fields(rawlog).size());
 }
-BENCHMARK(Replay)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
+
+void register_replays() {
+    for (const fs::path& rawlog : recordings()) {
+        const std::string name = rawlog.stem();
+        benchmark::RegisterBenchmark(("decode/" + name).c_str(), time_decode, rawlog);
+        for (const int threads : {1, 2})
+            benchmark::RegisterBenchmark(("replay/" + name + "/threads-" + std::to_string(threads)).c_str(),
+                                         time_replay, rawlog, threads)
+                ->UseRealTime();
+    }
+}
+
 }  // namespace flownav::bench

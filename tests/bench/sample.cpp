@@ -6,9 +6,13 @@
 
 namespace flownav::bench {
 
-std::filesystem::path sample_rawlog() {
+std::filesystem::path data_folder() {
     const char* data = std::getenv("FLOWNAV_DATA");
-    auto field = std::filesystem::path(data ? data : FLOWNAV_DATA) / "scenes" / "field.rawlog";
+    return data ? data : FLOWNAV_DATA;
+}
+
+std::filesystem::path sample_rawlog() {
+    auto field = data_folder() / "scenes" / "field.rawlog";
     if (std::filesystem::exists(field)) return field;
     return std::filesystem::path(FLOWNAV_SHARE) / "datasets" / "corridor.rawlog";
 }

@@ -56,10 +56,12 @@ OF_PROGRAM = {
     "dygraph.min.css": {"libjs-dygraphs"},
     "dygraph.min.js": {"libjs-dygraphs"},
     "g++": {"build-essential"},
+    "libavfilter": {"libavfilter-dev"},
     "parallel": {"parallel"},
     "python3": {"python3"},
     "rawlog-edit": {"mrpt-apps"},
     "rawlog-grabber": {"mrpt-apps"},
+    "valgrind": {"valgrind"},
     "xdotool": {"xdotool"},
     "Xvfb": {"xvfb"},
     "sudo": set(),  # only where one is not root; looked for first

@@ -1,0 +1,28 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "known_flow.h"
+
+namespace flownav::bench {
+
+/// What a method says about the blocks of a pair, in their order.
+struct MeasuredFlow {
+    std::vector<Eigen::Vector2d> flow_px;
+    std::vector<char> kept;  ///< 1: the method itself trusts it
+};
+
+/// Measures the flow at the centres of the blocks of a pair. Every method starts from no motion.
+using MeasureFlow = std::function<void(const FlowPair& pair, MeasuredFlow& measured)>;
+
+struct FlowMethod {
+    std::string name;
+    std::function<MeasureFlow()> make;
+};
+
+/// flownav: every kernel with whole pixels, the kernel in use with sub-pixel, and the sensor's default.
+/// OpenCV: PyrLK, DIS, matchTemplate.
+std::vector<FlowMethod> all_methods();
+
+}  // namespace flownav::bench

@@ -1,0 +1,96 @@
+// One whole step, by stage, in the steady state: the layout stands, and nothing has to grow.
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+
+#include "benchmarks.h"
+#include "flownav/flow/brightness.h"
+#include "flownav/mapping/local_map.h"
+#include "flownav/motion/estimate_motion.h"
+#include "flownav/pipeline/pipeline.h"
+#include "sample.h"
+#include "steady_chain.h"
+
+namespace flownav::bench {
+namespace {
+
+void time_steps(benchmark::State& state, const KernelEntry& kernel, bool with_map) {
+    const auto& fields = sample_fields();
+    SteadyChain chain(fields, kernel, 1);
+    LocalMap map{MapParams()};
+    const auto enter = [&](const pipeline::Step& step) {
+        if (with_map && step.end_of_cycle && !step.obstacles.empty())
+            map.insert({step.timestamp_s, step.T_start_robot, step.obstacles, step.ground});
+    };
+    chain.drive(enter);
+    chain.forget_times();
+    while (state.KeepRunning()) chain.drive(enter);
+    state.counters["fields"] = static_cast<double>(fields.size());
+    const double driven = static_cast<double>(fields.size()) * static_cast<double>(state.iterations());
+    state.counters["match_us"] = 1e6 * chain.match_s() / driven;
+}
+
+/// Compensation of the brightness, which is part of matching.
+void time_brightness(benchmark::State& state) {
+    const auto& fields = sample_fields();
+    const BlockLayout layout = place_blocks(RayMapper(fields[0].camera), FlowParams());
+    const std::vector<Eigen::Vector2i> bias_px(layout.size(), Eigen::Vector2i::Zero());
+    std::vector<GreySums> sums;
+    while (state.KeepRunning()) {
+        for (std::size_t i = 0; i + 2 < fields.size(); ++i)
+            benchmark::DoNotOptimize(
+                compare_brightness(fields[i].image, fields[i + 2].image, layout, bias_px, sums));
+    }
+    state.counters["fields"] = static_cast<double>(fields.size() - 2);
+}
+
+/// What the ego-motion of one field is estimated from.
+struct MotionCase {
+    std::vector<MotionSample> samples;
+    CameraModel camera;
+    MotionPrediction prediction;
+};
+
+std::vector<MotionCase> motion_cases() {
+    std::vector<MotionCase> cases;
+    pipeline::State state{pipeline::Params()};
+    for (const Field& field : sample_fields()) {
+        const pipeline::Step& step = pipeline::step(state, field);
+        if (step.status != FieldStatus::Ok) continue;
+        MotionCase one;
+        one.camera = field.camera;
+        for (const pipeline::BlockRecord& block : step.blocks)
+            if (block.fresh) one.samples.push_back({block.ray, block.in_ground_window});
+        one.prediction.omega_rad = step.motion.omega_rad;
+        one.prediction.pitch_rad = step.motion.pitch_rad;
+        one.prediction.forward_m = step.motion.forward_m;
+        one.prediction.chord_rad = step.motion.chord_rad;
+        cases.push_back(one);
+    }
+    return cases;
+}
+
+void time_ego_motion(benchmark::State& state) {
+    const auto cases = motion_cases();
+    MotionScratch scratch;
+    while (state.KeepRunning()) {
+        for (const MotionCase& c : cases)
+            benchmark::DoNotOptimize(
+                estimate_motion(c.samples, c.camera, c.prediction, MotionParams(), scratch));
+    }
+    state.counters["fields"] = static_cast<double>(cases.size());
+}
+
+}  // namespace
+
+void register_steps() {
+    for_each_kernel([](const KernelEntry& kernel) {
+        const std::string name = std::string("step/") + kernel.name;
+        benchmark::RegisterBenchmark(name.c_str(), time_steps, kernel, false);
+        benchmark::RegisterBenchmark((name + "/map").c_str(), time_steps, kernel, true);
+    });
+    benchmark::RegisterBenchmark("stage/brightness", time_brightness);
+    benchmark::RegisterBenchmark("stage/ego-motion", time_ego_motion);
+}
+
+}  // namespace flownav::bench
