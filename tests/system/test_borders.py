@@ -38,7 +38,9 @@ LIBRARIES = {
     r"zlib\.h": r"ZLIB::ZLIB",
 }
 # Of the language, the processor and the system.
-OF_THE_SYSTEM = re.compile(r"[a-z_]+|\w+intrin\.h|(fcntl|netdb|poll|unistd)\.h|(netinet|sys)/\w+\.h")
+OF_THE_SYSTEM = re.compile(
+    r"[a-z_]+|\w+intrin\.h|arm_neon\.h|(stddef|stdint)\.h|(fcntl|netdb|poll|unistd)\.h|(netinet|sys)/\w+\.h"
+)
 
 
 def links_of(cmake_text):
@@ -85,7 +87,8 @@ def faults(links, sources):
     for (module, name), text in sorted(sources.items()):
         visible = closure(module, links)
         for quote, header in re.findall(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', text, re.MULTILINE):
-            local = quote == '"' and "/" not in header
+            beside = str(Path(name).parent / header)
+            local = quote == '"' and ("/" not in header or (module, beside) in sources)
             fault = None if local else include_fault(module, header, visible)
             if fault:
                 found.append(f"{name}: {header} {fault}")
