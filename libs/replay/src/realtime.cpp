@@ -83,10 +83,10 @@ class Chain {
 
     void take(const Field& field) {
         const pipeline::Step& step = pipeline::step(state_, field);
-        if (step.end_of_cycle) {
-            map_.insert({step.timestamp_s, step.T_start_robot, step.obstacles, step.ground});
-        } else {
+        if (step.obstacles.empty() && step.ground.empty()) {  // as the autopilot does it
             map_.redraw(step.T_start_robot);
+        } else {
+            map_.insert({step.timestamp_s, step.T_start_robot, step.obstacles, step.ground});
         }
     }
 
