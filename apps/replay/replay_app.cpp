@@ -7,6 +7,7 @@
 #include "command_output.h"
 #include "configuration.h"
 #include "flownav/core/version.h"
+#include "flownav/replay/realtime.h"
 #include "flownav/replay/replay.h"
 #include "flownav/sensor/config.h"
 
@@ -16,12 +17,15 @@ namespace {
 
 constexpr int usage_status = static_cast<int>(ExitStatus::Usage);
 constexpr int most_threads = 64;
+constexpr double longest_run_s = 1e6;
 
 constexpr auto help = R"(Replays a rawlog through the optic-flow sensor.
 
 flownav-replay INPUT.rawlog --output DIR [--config FILE.ini] [--set section.key=value]...
                [--video FILE.mp4] [--flow-field FILE.rawlog] [--keep-images] [--timing] [--threads N]
                [--quiet]
+flownav-replay INPUT.rawlog --realtime [--for-s S] [--output DIR] [--config FILE.ini]
+               [--set section.key=value]... [--threads N] [--quiet]
 
   INPUT.rawlog              images of one camera (and odometry, ground truth), plain or gz
   --output DIR              folder for the results; made when it is missing, old results are overwritten
@@ -32,7 +36,14 @@ flownav-replay INPUT.rawlog --output DIR [--config FILE.ini] [--set section.key=
                             fates, motion, obstacles; for MRPT's tools with the plug-in libflownav-sensor.so
   --keep-images             copy the fields as they were used into result.rawlog
   --timing                  show the time per stage in report.html too; it then differs from run to run
-  --threads N               threads of the block matching, 1..64, default 1; the results do not depend on it
+  --threads N               threads of the block matching, 1..64, default 1; from 2 on another one decodes
+                            ahead (not with --realtime). The results do not depend on it
+  --realtime                fields come at their time stamps, as from a camera, from memory (up to 2 GB);
+                            a field still waiting when a newer one comes is dropped. Prints the latency from
+                            a field's arrival until the local map, the navigator's input, is ready: median,
+                            99 %, 99.9 %, worst, and the fields dropped; DIR gets realtime.json only
+  --for-s S                 how long --realtime lasts; the recording begins again, with rising time stamps,
+                            as often as needed; default once
   --quiet                   no progress and no closing line
   --help, --version         print this text, or the version, and exit
 
@@ -56,6 +67,8 @@ Exit status:
 
 struct CommandLine {
     ReplayOptions options;
+    bool realtime = false;
+    std::optional<double> duration_s;  ///< of a run in real time
     bool quiet = false;
 };
 
@@ -68,6 +81,22 @@ Config configuration(const std::string& file, const std::vector<std::string>& se
     }
     config.pipeline.threads = threads;
     return config;
+}
+
+/// What cannot go together, or must; empty when all is well.
+std::string contradiction(const CommandLine& line, bool input, bool output) {
+    if (!line.realtime) {
+        if (!input || !output) return "needs INPUT.rawlog and --output DIR";
+        return line.duration_s ? "--for-s needs --realtime" : "";
+    }
+    if (!input) return "needs INPUT.rawlog";
+    if (line.duration_s && !(*line.duration_s > 0.0 && *line.duration_s <= longest_run_s))
+        return "--for-s must be over 0 and at most 1000000 seconds";
+    const OptionalOutputs& optional = line.options.optional;
+    const bool more = optional.keep_images || !optional.video.empty() || !optional.flow_field.empty();
+    if (more || line.options.timing_in_report)
+        return "--realtime writes none of --video, --flow-field, --keep-images, --timing";
+    return "";
 }
 
 /// What the arguments ask for, or nothing when they have been answered; then `status` says how.
@@ -84,6 +113,8 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
     TCLAP::ValueArg<std::string> flow_field("", "flow-field", "", false, "", "FILE.rawlog", command);
     TCLAP::SwitchArg keep_images("", "keep-images", "", command);
     TCLAP::SwitchArg timing("", "timing", "", command);
+    TCLAP::SwitchArg realtime("", "realtime", "", command);
+    TCLAP::ValueArg<double> duration_s("", "for-s", "", false, 0.0, "S", command);
     TCLAP::SwitchArg quiet("", "quiet", "", command);
 
     std::vector<const char*> argv;
@@ -98,22 +129,35 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
         status = usage_status;
         return std::nullopt;
     }
-    if (!input.isSet() || !folder.isSet()) {
-        output.fail("needs INPUT.rawlog and --output DIR");
-        status = usage_status;
-        return std::nullopt;
-    }
     CommandLine result;
+    result.realtime = realtime.getValue();
+    if (duration_s.isSet()) result.duration_s = duration_s.getValue();
     result.quiet = quiet.getValue();
     result.options.input = input.getValue();
     result.options.output = folder.getValue();
-    result.options.config = configuration(file.getValue(), settings.getValue(), threads.getValue());
     result.options.optional.keep_images = keep_images.getValue();
     result.options.optional.video = video.getValue();
     result.options.optional.flow_field = flow_field.getValue();
     result.options.timing_in_report = timing.getValue();
+    const std::string problem = contradiction(result, input.isSet(), folder.isSet());
+    if (!problem.empty()) {
+        output.fail(problem);
+        status = usage_status;
+        return std::nullopt;
+    }
+    result.options.config = configuration(file.getValue(), settings.getValue(), threads.getValue());
     if (!result.quiet) result.options.progress = Progress::style_for(stdout);
     return result;
+}
+
+ReplayResult run(const CommandLine& command) {
+    if (!command.realtime) return replay(command.options);
+    RealtimeOptions options;
+    options.input = command.options.input;
+    options.output = command.options.output;
+    options.config = command.options.config;
+    options.duration_s = command.duration_s;
+    return replay_realtime(options);
 }
 
 }  // namespace
@@ -123,7 +167,7 @@ int run_replay_app(const std::vector<std::string>& arguments, std::ostream& out,
         int status = 0;
         const auto command = parse(arguments, out, error, status);
         if (!command) return status;
-        const ReplayResult result = replay(command->options);
+        const ReplayResult result = run(*command);
         if (!result.message.empty()) error << "flownav-replay: " << result.message << '\n';
         for (const std::string& warning : result.warnings)
             error << "flownav-replay: warning: " << warning << '\n';

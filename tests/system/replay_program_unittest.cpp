@@ -249,6 +249,9 @@ TEST_F(ReplayProgram, ArgumentsThatMakeNoSenseAreRefused) {
     expect_refused(replay(input, {"--threads", "many"}), "many", output);
     expect_refused(replay(input, {"--threads", "0"}), "1..64", output);
     expect_refused(replay(input, {"--set", "flow.blocks"}), "section.key=value", output);
+    expect_refused(replay(input, {"--for-s", "1"}), "--realtime", output);
+    expect_refused(replay(input, {"--realtime", "--for-s", "0"}), "--for-s", output);
+    expect_refused(replay(input, {"--realtime", "--keep-images"}), "--keep-images", output);
 }
 
 TEST_F(ReplayProgram, NoSuchInputIsBadUsage) {
@@ -339,6 +342,33 @@ TEST_F(ReplayProgram, ACutRecordingIsUsedUpToTheCut) {
     EXPECT_EQ(lines_of(content(output / "egomotion.csv")),
               summary()["read"]["fields"].get<std::size_t>() + 1);
     EXPECT_EQ(files_in(output), every_file);
+}
+
+TEST_F(ReplayProgram, ACutRecordingGivesTheSameWithTwoThreads) {
+    const std::string bytes = content(corridor);
+    write_bytes(scratch / "cut.rawlog", bytes.substr(0, bytes.size() / 2));
+    const Outcome a = replay_to(scratch / "a", scratch / "cut.rawlog", {"--quiet"});
+    const Outcome b = replay_to(scratch / "b", scratch / "cut.rawlog", {"--quiet", "--threads", "2"});
+    EXPECT_EQ(b.status, 2);
+    EXPECT_EQ(a.error, b.error);
+    for (const std::string& name : every_file) {
+        if (name == "summary.json") continue;
+        EXPECT_TRUE(content(scratch / "a" / name) == content(scratch / "b" / name)) << name;
+    }
+}
+
+TEST_F(ReplayProgram, ARunInRealTimeReportsItsLatencyAndWritesNothingElse) {
+    const Outcome outcome = replay(corridor, {"--realtime", "--for-s", "0.2"});
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    const auto json = nlohmann::json::parse(content(output / "realtime.json"));
+    EXPECT_GE(json["fields"], 2);
+    EXPECT_LT(json["dropped"], json["fields"]);
+    const auto& latency = json["latency_ms"];
+    EXPECT_GT(latency["median"], 0.0);
+    EXPECT_LE(latency["median"], latency["p99"]);
+    EXPECT_LE(latency["p99"], latency["p99_9"]);
+    EXPECT_LE(latency["p99_9"], latency["worst"]);
+    EXPECT_EQ(files_in(output), std::set<std::string>{"realtime.json"});
 }
 
 TEST_F(ReplayProgram, AFlippedBitIsNoticed) {

@@ -4,6 +4,7 @@
 #include <system_error>
 #include <variant>
 
+#include "decode_ahead.h"
 #include "flownav/pipeline/pipeline.h"
 #include "flownav/replay/drive.h"
 #include "flownav/replay/number_text.h"
@@ -102,24 +103,32 @@ class Run {
 
     void read_events(RawlogReader& reader) {
         FieldSource source(reader, options_.config.camera);
+        std::optional<DecodeAhead> ahead;
+        if (options_.config.pipeline.threads > 1) ahead.emplace(source, reader);
         Progress progress(stdout, options_.progress);
-        while (const auto event = next(source)) {
-            if (const auto* field = std::get_if<Field>(&*event)) take(*field);
-            if (const auto* sample = std::get_if<PoseSample>(&*event)) take(*sample);
-            progress.update(reader.progress(), drive_.rows.size());
+        for (;;) {
+            const Decoded decoded = ahead ? next([&] { return ahead->next(); })
+                                          : next([&] { return decode_next(source, reader); });
+            if (!decoded.event) break;
+            if (const auto* field = std::get_if<Field>(&*decoded.event)) take(*field);
+            if (const auto* sample = std::get_if<PoseSample>(&*decoded.event)) take(*sample);
+            progress.update(decoded.progress, drive_.rows.size());
         }
         progress.finish(drive_.rows.size());
         drive_.read = source.counts();
     }
 
-    std::optional<ReplayEvent> next(FieldSource& source) {
-        clock_.enter(&StageTimes::decode_s);
+    template <typename Decode>
+    Decoded next(const Decode& decode) {
+        clock_.enter(StageClock::other);  // waiting for the other thread is nobody's work
         try {
-            return source.next();
+            Decoded decoded = decode();
+            clock_.credit(&StageTimes::decode_s, decoded.decode_s);
+            return decoded;
         } catch (const ConfigError& error) {
             if (!outputs_) throw;  // nothing has been written yet
             drive_.stop_reason = error.what();
-            return std::nullopt;
+            return {};
         }
     }
 

@@ -14,6 +14,9 @@ class StageClock {
 
     void enter(Stage stage);
 
+    /// Time that was measured elsewhere, perhaps in another thread.
+    void credit(Stage stage, double seconds) { since_field_.*stage += seconds; }
+
     /// What was spent since the last field belongs to this one.
     void end_field(double timestamp_s);
 

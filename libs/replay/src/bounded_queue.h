@@ -1,0 +1,69 @@
+#pragma once
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace flownav {
+
+/// Hands things from one thread to another, in order, at most `capacity` waiting.
+template <typename T>
+class BoundedQueue {
+  public:
+    explicit BoundedQueue(std::size_t capacity) : capacity_(capacity) {}
+
+    /// Waits for a place. False when the consumer has stopped: then nobody wants more.
+    bool push(T thing) {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [this] { return things_.size() < capacity_ || stopped_; });
+        if (stopped_) return false;
+        things_.push_back(std::move(thing));
+        changed_.notify_all();
+        return true;
+    }
+
+    /// The producer has no more, because of `failure` unless that is null.
+    void close(std::exception_ptr failure = nullptr) {
+        const std::lock_guard lock(mutex_);
+        closed_ = true;
+        failure_ = std::move(failure);
+        changed_.notify_all();
+    }
+
+    /// Waits for the next thing. Nothing when the producer has closed and all is taken; if it failed, its
+    /// exception is thrown then.
+    std::optional<T> pop() {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [this] { return !things_.empty() || closed_; });
+        if (things_.empty()) {
+            if (failure_) std::rethrow_exception(failure_);
+            return std::nullopt;
+        }
+        std::optional<T> thing(std::move(things_.front()));
+        things_.pop_front();
+        changed_.notify_all();
+        return thing;
+    }
+
+    /// The consumer wants no more; what waits is thrown away.
+    void stop() {
+        const std::lock_guard lock(mutex_);
+        stopped_ = true;
+        things_.clear();
+        changed_.notify_all();
+    }
+
+  private:
+    const std::size_t capacity_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::deque<T> things_;
+    std::exception_ptr failure_;
+    bool closed_ = false;
+    bool stopped_ = false;
+};
+
+}  // namespace flownav

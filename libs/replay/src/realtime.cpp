@@ -1,0 +1,166 @@
+#include "flownav/replay/realtime.h"
+
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <thread>
+#include <variant>
+
+#include "flownav/core/version.h"
+#include "flownav/mapping/local_map.h"
+#include "flownav/pipeline/pipeline.h"
+#include "flownav/replay/field_source.h"
+#include "flownav/replay/number_text.h"
+#include "flownav/replay/output_file.h"
+#include "flownav/replay/paced_run.h"
+#include "flownav/sensor/make_state.h"
+#include "input_path.h"
+
+namespace flownav {
+
+namespace {
+
+struct Recording {
+    std::vector<Field> fields;
+    std::string problem;  ///< why it is not all that is in the file; empty when it is
+};
+
+std::uint64_t bytes_of(const Field& field) {
+    return static_cast<std::uint64_t>(field.image.stride_bytes) *
+           static_cast<std::uint64_t>(field.image.height_px);
+}
+
+void read_fields(RawlogReader& reader, const RealtimeOptions& options, Recording& recording) {
+    FieldSource source(reader, options.config.camera);
+    std::uint64_t bytes = 0;
+    while (auto event = source.next()) {
+        auto* field = std::get_if<Field>(&*event);
+        if (!field) continue;
+        bytes += bytes_of(*field);
+        if (bytes > options.memory_max_bytes) {
+            throw ConfigError(options.input.string() + ": its decoded fields need more than the " +
+                              std::to_string(options.memory_max_bytes / 1'000'000) +
+                              " MB that --realtime holds in memory; use a shorter recording");
+        }
+        recording.fields.push_back(std::move(*field));
+    }
+    recording.problem = reader.end().message;
+    if (recording.fields.size() >= 2 || !recording.problem.empty()) return;
+    if (recording.fields.size() == 1) throw ConfigError(options.input.string() + ": holds one field only");
+    throw ConfigError(
+        why_no_field(source.counts(), options.input.string(), options.config.camera.camera_label));
+}
+
+Recording read_recording(const RealtimeOptions& options) {
+    const std::string problem = problem_of_input(options.input);
+    if (!problem.empty()) throw ConfigError(problem);
+    Recording recording;
+    try {
+        RawlogReader reader(options.input);
+        read_fields(reader, options, recording);
+    } catch (const InputError& error) {
+        recording.problem = error.what();
+    }
+    return recording;
+}
+
+/// Sleeping wakes a little late; that is part of what a robot's program sees, and of the latency.
+PaceClock steady_pace() {
+    using Clock = std::chrono::steady_clock;
+    using Seconds = std::chrono::duration<double>;
+    const auto began = Clock::now();
+    return {[began] { return Seconds(Clock::now() - began).count(); },
+            [began](double time_s) {
+                std::this_thread::sleep_until(began +
+                                              std::chrono::duration_cast<Clock::duration>(Seconds(time_s)));
+            }};
+}
+
+/// From a field to what the navigator reads.
+class Chain {
+  public:
+    explicit Chain(const Config& config) : state_(make_state(config)), map_(config.map) {}
+
+    void take(const Field& field) {
+        const pipeline::Step& step = pipeline::step(state_, field);
+        if (step.obstacles.empty() && step.ground.empty()) {  // as the autopilot does it
+            map_.redraw(step.T_start_robot);
+        } else {
+            map_.insert({step.timestamp_s, step.T_start_robot, step.obstacles, step.ground});
+        }
+    }
+
+  private:
+    pipeline::State state_;
+    LocalMap map_;
+};
+
+PacedFields play(const std::vector<Field>& fields, const RealtimeOptions& options) {
+    std::vector<double> times_s;
+    for (const Field& field : fields) times_s.push_back(field.timestamp_s);
+    const RepeatedTimes times(times_s);
+    Chain chain(options.config);
+    const auto work = [&](std::uint64_t n) {
+        Field field = fields[times.field(n)];
+        field.timestamp_s = times_s.front() + times.after_start_s(n);
+        chain.take(field);
+    };
+    const std::uint64_t count = times.count_within(options.duration_s.value_or(times.once_s()));
+    return run_paced(times, count, steady_pace(), work);
+}
+
+double ms(double seconds) {
+    return std::round(seconds * 1e6) / 1e3;  // whole microseconds
+}
+
+std::string to_json(const PacedFields& paced, const LatencyFigures& figures, const RealtimeOptions& options) {
+    const nlohmann::ordered_json json = {{"program", "flownav-replay"},
+                                         {"version", version()},
+                                         {"input", options.input.filename().string()},
+                                         {"kernel", pipeline::kernel_name()},
+                                         {"threads", options.config.pipeline.threads},
+                                         {"fields", paced.arrived},
+                                         {"dropped", paced.dropped},
+                                         {"latency_ms",
+                                          {{"median", ms(figures.median_s)},
+                                           {"p99", ms(figures.p99_s)},
+                                           {"p99_9", ms(figures.p999_s)},
+                                           {"worst", ms(figures.worst_s)}}}};
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+std::string to_words(const PacedFields& paced, const LatencyFigures& figures) {
+    const auto text = [](double seconds) { return fixed_text(1000 * seconds, 3); };
+    return std::to_string(paced.arrived) + " fields, " + std::to_string(paced.dropped) +
+           " dropped; latency in ms: median " + text(figures.median_s) + ", 99 % " + text(figures.p99_s) +
+           ", 99.9 % " + text(figures.p999_s) + ", worst " + text(figures.worst_s);
+}
+
+ReplayResult run(const RealtimeOptions& options) {
+    const Recording recording = read_recording(options);
+    ReplayResult result;
+    result.message = recording.problem;
+    if (!recording.problem.empty()) result.status = ExitStatus::Input;
+    if (recording.fields.size() < 2) return result;
+    if (!options.output.empty()) make_output_folder(options.output);
+    const PacedFields paced = play(recording.fields, options);
+    const LatencyFigures figures = latency_figures(paced.latencies_s);
+    if (!options.output.empty())
+        write_file(options.output / "realtime.json", to_json(paced, figures, options));
+    result.outcome = to_words(paced, figures);
+    return result;
+}
+
+}  // namespace
+
+ReplayResult replay_realtime(const RealtimeOptions& options) {
+    try {
+        return run(options);
+    } catch (const ConfigError& error) {
+        return {ExitStatus::Usage, error.what(), {}, ""};
+    } catch (const OutputError& error) {
+        return {ExitStatus::Output, error.what(), {}, ""};
+    }
+}
+
+}  // namespace flownav
