@@ -84,7 +84,8 @@ void write_recordings(const fs::path& folder, int rounds) {
     const Observations jpeg = with_files(all, folder / "jpeg.rawlog", ".jpg");
     write_plain(jpeg, folder / "jpeg.rawlog");
     fs::remove_all(folder / "long_Images");
-    fs::copy(folder / "jpeg_Images", folder / "long_Images", fs::copy_options::create_hard_links);
+    fs::copy(folder / "jpeg_Images", folder / "long_Images",
+             fs::copy_options::recursive | fs::copy_options::create_hard_links);
     write_long(jpeg, folder / "long.rawlog", rounds);
 }
 
