@@ -75,7 +75,8 @@ def kernels(runs):
 All 256 offsets of a 16x16 block, with minimum, second distinct minimum, sum and neighbours. The limit is what independent
 instructions of the kind reach in the same run, with nothing around them: no loads, no sums, no search for the minimum.
 
-""" + table(["kernel", "ns a vector", f"ms for {VECTORS}", "instruction", "limit (ns a vector)", "share of the limit"], rows)
+""" + table(["kernel", "ns a vector", f"ms for {VECTORS}", "instruction", "limit (ns a vector)", "share of the limit"],
+            rows)
 
 
 def comparison(runs):
@@ -108,7 +109,8 @@ def steps(runs):
 From two images to obstacle points, in the steady state. "Matching" holds the compensation of the brightness. With map:
 the local map that a navigator reads as well, whenever a cycle ends.
 
-""" + table(["kernel", "step (ms)", "of it matching (ms)", "with map (ms)"], rows) + "\n" + table(["stage alone", "ms"], stages)
+""" + table(["kernel", "step (ms)", "of it matching (ms)", "with map (ms)"], rows) + "\n" + table(["stage alone", "ms"],
+                                                                                                 stages)
 
 
 def replays(runs):
@@ -129,8 +131,9 @@ runs ahead in the second one.
 
 def growth(runs):
     text = "## Growth\n\n"
-    for what, sentence in (("vectors", "Matching, by the number of vectors."), ("image", "Matching, by the size of the image."),
-                           ("step", "A whole step, by the size of the image (per field).")):
+    sentences = {"vectors": "Matching, by the number of vectors.", "image": "Matching, by the size of the image.",
+                 "step": "A whole step, by the size of the image (per field)."}
+    for what, sentence in sentences.items():
         sizes = runs.matching(rf"growth/{what}/(\w+)/threads-1")
         rows = []
         for (size,), run in sizes:
@@ -138,8 +141,10 @@ def growth(runs):
             count = run.get("fields", 1)
             rows.append([size, f"{milliseconds(run) / count:.3f}", f"{milliseconds(two) / count:.3f}"])
         text += sentence + "\n\n" + table([what, "1 thread (ms)", "2 threads (ms)"], rows) + "\n"
-    windows = [[f"+-{size}", f"{int(run['offsets'])}", f"{milliseconds(run):.3f}"] for (size,), run in runs.matching(r"growth/window/(\w+)")]
-    return text + "Wider windows, put together from several of 16x16 offsets.\n\n" + table(["window (px)", "offsets", "ms"], windows)
+    windows = [[f"+-{size}", f"{int(run['offsets'])}", f"{milliseconds(run):.3f}"]
+               for (size,), run in runs.matching(r"growth/window/(\w+)")]
+    text += "Wider windows, put together from several of 16x16 offsets.\n\n"
+    return text + table(["window (px)", "offsets", "ms"], windows)
 
 
 def peak_mb(replay, rawlog):
@@ -147,12 +152,14 @@ def peak_mb(replay, rawlog):
         command = [replay, rawlog, "--output", folder, "--quiet"]
         code = ("import resource, subprocess, sys; subprocess.run(sys.argv[1:], check=True); "
                 "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)")
-        run = subprocess.run([sys.executable, "-c", code, *map(str, command)], check=True, capture_output=True, text=True)
+        run = subprocess.run([sys.executable, "-c", code, *map(str, command)], check=True, capture_output=True,
+                             text=True)
         return int(run.stdout) / 1024
 
 
 def memory(arguments):
-    rows = [[name, f"{peak_mb(arguments.replay, arguments.recordings / (name + '.rawlog')):.0f}"] for name in ("jpeg", "long")]
+    rows = [[name, f"{peak_mb(arguments.replay, arguments.recordings / (name + '.rawlog')):.0f}"]
+            for name in ("jpeg", "long")]
     return """## Memory
 
 Peak of flownav-replay over the sample, and over the same many times.
@@ -167,8 +174,8 @@ def realtime(path):
     latency = run["latency_ms"]
     return f"""## Latency
 
-`flownav-replay --realtime`: {run['fields']} fields at their times, {run['dropped']} dropped; from the arrival of a field until
-the local map was ready.
+`flownav-replay --realtime`: {run['fields']} fields at their times, {run['dropped']} dropped, beside a process that keeps a core
+busy; from the arrival of a field until the local map was ready.
 
 """ + table(["median (ms)", "99 % (ms)", "99.9 % (ms)", "worst (ms)"],
             [[f"{latency[key]:.2f}" for key in ("median", "p99", "p99_9", "worst")]])

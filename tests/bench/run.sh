@@ -7,7 +7,7 @@ usage() {
     cat <<END
 usage: tests/bench/run.sh [--quick] [--realtime-summary FILE] [--output FILE.md] [--help]
   --quick                  a tenth of the time, for a look; the figures are rough
-  --realtime-summary FILE  realtime.json of a long run of flownav-replay --realtime, for the page
+  --realtime-summary FILE  realtime.json of a long run of flownav-replay --realtime beside a busy process, for the page
   --output FILE.md         the page; default share/doc/benchmark.md
 Takes about five minutes on a machine that does nothing else. FLOWNAV_DATA names the folder of the optional test data
 (default: ../shared/data beside the checkout). Exit status: 0 written, 1 otherwise.
