@@ -36,8 +36,9 @@ flownav-replay INPUT.rawlog --realtime [--for-s S] [--output DIR] [--config FILE
                             fates, motion, obstacles; for MRPT's tools with the plug-in libflownav-sensor.so
   --keep-images             copy the fields as they were used into result.rawlog
   --timing                  show the time per stage in report.html too; it then differs from run to run
-  --threads N               threads of the block matching, 1..64, default 1; from 2 on another one decodes
-                            ahead (not with --realtime). The results do not depend on it
+  --threads N               1..64, default 1; from 2 on one decodes ahead and draws the report's pictures
+                            while the others match blocks; with --realtime all match. The results do not
+                            depend on it
   --realtime                fields come at their time stamps, as from a camera, from memory (up to 2 GB);
                             a field still waiting when a newer one comes is dropped. Prints the latency from
                             a field's arrival until the local map, the navigator's input, is ready: median,

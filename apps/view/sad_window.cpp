@@ -32,7 +32,7 @@ Brightness brightness_of(const Frame& frame, const FlowParams& params) {
         layout.in_ground_window.push_back(block.in_ground_window ? 1 : 0);
         bias_px.push_back(bias_of(block));
     }
-    std::vector<GreySums> sums;
+    GreySums sums;
     return compare_brightness(frame.reference->image, frame.field.image, layout, bias_px, sums);
 }
 

@@ -1,49 +1,41 @@
 // How the time grows with the vectors, the image and the search window, on one thread and two.
 #include <benchmark/benchmark.h>
 
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
+#include <map>
 
 #include "benchmarks.h"
 #include "flownav/flow/match_blocks.h"
-#include "sample.h"
+#include "flownav/testing/camera.h"
+#include "flownav/testing/presets.h"
 #include "steady_chain.h"
 
 namespace flownav::bench {
 namespace {
-
-/// A field in another size: the same view with larger or smaller pixels.
-Field resized(const Field& field, int width_px, int height_px) {
-    const cv::Mat from(field.image.height_px, field.image.width_px, CV_8UC1,
-                       const_cast<std::uint8_t*>(field.image.data),  // nothing writes to it
-                       static_cast<std::size_t>(field.image.stride_bytes));
-    const auto to = std::make_shared<cv::Mat>();
-    cv::resize(from, *to, {width_px, height_px}, 0, 0, cv::INTER_CUBIC);
-    Field result = field;
-    result.image = {to->data, width_px, height_px, static_cast<std::ptrdiff_t>(to->step)};
-    result.owner = to;
-    CameraModel& camera = result.camera;
-    const double across = static_cast<double>(width_px) / camera.width_px;
-    const double down = static_cast<double>(height_px) / camera.height_px;
-    camera.width_px = width_px;
-    camera.height_px = height_px;
-    camera.fx_px *= across;
-    camera.fy_px *= down;
-    camera.cx_px = (camera.cx_px + 0.5) * across - 0.5;
-    camera.cy_px = (camera.cy_px + 0.5) * down - 0.5;
-    return result;
-}
 
 struct Size {
     int width_px, height_px;
 };
 constexpr Size pal{768, 288};
 
-std::vector<Field> fields_of(const Size& size, std::size_t count) {
+constexpr int drive_fields = 20;
+
+/// The same drive in pixels of another size, with as much to see in them: every size is rendered anew.
+std::vector<Field> rendered(const Size& size) {
+    testing::SceneOptions options = testing::common_preset(1);
+    options.camera = testing::field_camera(testing::standard_camera(size.width_px, 2 * size.height_px),
+                                           testing::Parity::Top);
+    options.images = drive_fields;
+    const testing::Scene scene = testing::make_scene(options);
     std::vector<Field> fields;
-    for (const Field& field : sample_fields())
-        if (fields.size() < count) fields.push_back(resized(field, size.width_px, size.height_px));
+    for (int i = 0; i < drive_fields; ++i) fields.push_back(testing::make_field(scene, i));
     return fields;
+}
+
+const std::vector<Field>& fields_of(const Size& size) {
+    static std::map<int, std::vector<Field>> of_width;
+    const auto found = of_width.find(size.width_px);
+    return found != of_width.end() ? found->second
+                                   : of_width.emplace(size.width_px, rendered(size)).first->second;
 }
 
 BlockLayout layout_of(const Field& field, int blocks) {
@@ -53,7 +45,7 @@ BlockLayout layout_of(const Field& field, int blocks) {
 }
 
 void time_match(benchmark::State& state, Size size, int blocks, int threads) {
-    const auto fields = fields_of(size, 3);
+    const auto& fields = fields_of(size);
     const BlockLayout layout = layout_of(fields[0], blocks);
     const std::vector<Eigen::Vector2i> bias_px(layout.size(), Eigen::Vector2i::Zero());
     MatchSettings settings;
@@ -88,7 +80,7 @@ BlockMatch best_of_tiles(const KernelEntry& kernel, const ImageView& from, const
 }
 
 void time_window(benchmark::State& state, int tiles) {
-    const auto fields = fields_of(pal, 3);
+    const auto& fields = fields_of(pal);
     const BlockLayout layout = layout_of(fields[0], FlowParams().blocks);
     const KernelEntry& kernel = select_kernel();
     while (state.KeepRunning()) {
@@ -100,11 +92,12 @@ void time_window(benchmark::State& state, int tiles) {
 }
 
 void time_step(benchmark::State& state, Size size, int threads) {
-    SteadyChain chain(fields_of(size, 24), select_kernel(), threads);
+    SteadyChain chain(fields_of(size), select_kernel(), threads);
     const auto see = [](const pipeline::Step& step) { benchmark::DoNotOptimize(&step); };
     chain.drive(see);
-    while (state.KeepRunning()) chain.drive(see);
-    state.counters["fields"] = 24;
+    while (state.KeepRunning()) state.SetIterationTime(chain.drive(see));
+    state.counters["fields"] = static_cast<double>(chain.timed_fields());
+    state.counters["ok_percent"] = 100.0 * chain.ok_share();
 }
 
 std::string text(const Size& size) {
@@ -127,7 +120,7 @@ void register_growth() {
                               threads)
                 ->UseRealTime();
             RegisterBenchmark(("growth/step/" + text(size) + suffix).c_str(), time_step, size, threads)
-                ->UseRealTime();
+                ->UseManualTime();
         }
     }
     for (const int tiles : {1, 2, 4})

@@ -21,7 +21,7 @@ class Runs:
     def __init__(self, path):
         data = json.loads(Path(path).read_text())
         self.context = data["context"]
-        self.by_name = {run["name"].removesuffix("/real_time"): run for run in data["benchmarks"]
+        self.by_name = {re.sub("/(real|manual)_time$", "", run["name"]): run for run in data["benchmarks"]
                         if not run.get("error_occurred")}
 
     def matching(self, pattern):

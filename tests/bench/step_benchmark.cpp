@@ -15,19 +15,16 @@ namespace flownav::bench {
 namespace {
 
 void time_steps(benchmark::State& state, const KernelEntry& kernel, bool with_map) {
-    const auto& fields = sample_fields();
-    SteadyChain chain(fields, kernel, 1);
+    SteadyChain chain(sample_fields(), kernel, 1);
     LocalMap map{MapParams()};
     const auto enter = [&](const pipeline::Step& step) {
         if (with_map && step.end_of_cycle && !step.obstacles.empty())
             map.insert({step.timestamp_s, step.T_start_robot, step.obstacles, step.ground});
     };
     chain.drive(enter);
-    chain.forget_times();
-    while (state.KeepRunning()) chain.drive(enter);
-    state.counters["fields"] = static_cast<double>(fields.size());
-    const double driven = static_cast<double>(fields.size()) * static_cast<double>(state.iterations());
-    state.counters["match_us"] = 1e6 * chain.match_s() / driven;
+    while (state.KeepRunning()) state.SetIterationTime(chain.drive(enter));
+    state.counters["fields"] = static_cast<double>(chain.timed_fields());
+    state.counters["match_us"] = 1e6 * chain.match_s();
 }
 
 /// Compensation of the brightness, which is part of matching.
@@ -35,7 +32,7 @@ void time_brightness(benchmark::State& state) {
     const auto& fields = sample_fields();
     const BlockLayout layout = place_blocks(RayMapper(fields[0].camera), FlowParams());
     const std::vector<Eigen::Vector2i> bias_px(layout.size(), Eigen::Vector2i::Zero());
-    std::vector<GreySums> sums;
+    GreySums sums;
     while (state.KeepRunning()) {
         for (std::size_t i = 0; i + 2 < fields.size(); ++i)
             benchmark::DoNotOptimize(
@@ -86,8 +83,8 @@ void time_ego_motion(benchmark::State& state) {
 void register_steps() {
     for_each_kernel([](const KernelEntry& kernel) {
         const std::string name = std::string("step/") + kernel.name;
-        benchmark::RegisterBenchmark(name.c_str(), time_steps, kernel, false);
-        benchmark::RegisterBenchmark((name + "/map").c_str(), time_steps, kernel, true);
+        benchmark::RegisterBenchmark(name.c_str(), time_steps, kernel, false)->UseManualTime();
+        benchmark::RegisterBenchmark((name + "/map").c_str(), time_steps, kernel, true)->UseManualTime();
     });
     benchmark::RegisterBenchmark("stage/brightness", time_brightness);
     benchmark::RegisterBenchmark("stage/ego-motion", time_ego_motion);

@@ -35,6 +35,7 @@ LIBRARIES = {
     r"(gz|ignition)/math": r"sdformat12::sdformat12",
     r"omp\.h": r"OpenMP::OpenMP_CXX",
     r"opencv2/": r"opencv_\w+",
+    r"isa-l/": r"isal",
     r"zlib\.h": r"ZLIB::ZLIB",
 }
 # Of the language, the processor and the system.
@@ -47,7 +48,7 @@ def links_of(cmake_text):
     """The targets a module links, from the flownav_library(...) of its CMakeLists.txt."""
     code = re.sub(r"#.*", "", cmake_text)
     library = re.search(r"flownav_library\(([^()]*)\)", code)[1]
-    return set(re.findall(r"\b(?:\w+::\w+|opencv_\w+)", library))
+    return set(re.findall(r"\b(?:\w+::\w+|opencv_\w+|isal)", library))
 
 
 def closure(module, links):

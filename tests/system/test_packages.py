@@ -56,6 +56,7 @@ OF_PROGRAM = {
     "dygraph.min.css": {"libjs-dygraphs"},
     "dygraph.min.js": {"libjs-dygraphs"},
     "g++": {"build-essential"},
+    "isa-l": {"libisal-dev"},
     "libavfilter": {"libavfilter-dev"},
     "parallel": {"parallel"},
     "python3": {"python3"},

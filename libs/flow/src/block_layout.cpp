@@ -125,8 +125,14 @@ BlockLayout place_blocks(const RayMapper& mapper, const FlowParams& params) {
         layout.centre_px.emplace_back(c.x() + half_block_px, c.y() + half_block_px);
         layout.in_ground_window.push_back(in_ground_window(layout.centre_px.back(), camera) ? 1 : 0);
     }
+    set_reference(layout, mapper);
     layout.neighbours = find_neighbours(layout, camera.fx_px / camera.fy_px);
     return layout;
+}
+
+void set_reference(BlockLayout& layout, const RayMapper& reference) {
+    layout.centre.resize(layout.size());
+    for (std::size_t i = 0; i < layout.size(); ++i) layout.centre[i] = reference.ray(layout.centre_px[i]);
 }
 
 BlockLayout every_nth(const BlockLayout& layout, std::size_t n) {
@@ -134,6 +140,7 @@ BlockLayout every_nth(const BlockLayout& layout, std::size_t n) {
     for (std::size_t i = 0; i < layout.size(); i += n) {
         part.corner_px.push_back(layout.corner_px[i]);
         part.centre_px.push_back(layout.centre_px[i]);
+        part.centre.push_back(layout.centre[i]);
         part.in_ground_window.push_back(layout.in_ground_window[i]);
     }
     return part;

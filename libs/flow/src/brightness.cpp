@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "flownav/flow/kernel.h"
+#include "block_greys.h"
 
 namespace flownav {
 namespace {
@@ -14,56 +15,45 @@ constexpr double variance_min = 1.0;  // grey levels squared; below there is not
 constexpr int rounds = 3;
 constexpr double kept_share = 0.7;  // of the blocks, those that follow the others best
 
-struct Sums {
-    int greys = 0, squares = 0;
-};
-
-// Products of 16-bit numbers, as the vectoriser knows an instruction for their sums.
-Sums sums_of(const ImageView& image, const Eigen::Vector2i& corner_px) {
-    Sums s;
-    for (int v = 0; v < block_px; ++v) {
-        const std::uint8_t* row = image.row(corner_px.y() + v) + corner_px.x();
-        for (int u = 0; u < block_px; ++u) {
-            const std::int16_t grey = row[u];
-            s.greys += grey;
-            s.squares += grey * grey;
-        }
-    }
-    return s;
-}
-
 bool inside(const Eigen::Vector2i& corner_px, const ImageView& image) {
     return corner_px.x() >= 0 && corner_px.y() >= 0 && corner_px.x() + block_px <= image.width_px &&
            corner_px.y() + block_px <= image.height_px;
 }
 
 void collect(const ImageView& reference, const ImageView& newer, const BlockLayout& layout,
-             const std::vector<Eigen::Vector2i>& bias_px, std::vector<GreySums>& sums) {
-    sums.clear();
+             const std::vector<Eigen::Vector2i>& bias_px, GreySums& sums) {
+    for (auto* numbers : {&sums.reference, &sums.reference2, &sums.newer, &sums.newer2}) numbers->clear();
     for (std::size_t i = 0; i < layout.size(); ++i) {
-        const Eigen::Vector2i expected_px = layout.corner_px[i] + bias_px[i];
+        const Eigen::Vector2i& corner_px = layout.corner_px[i];
+        const Eigen::Vector2i expected_px = corner_px + bias_px[i];
         if (!inside(expected_px, newer)) continue;
-        const Sums before = sums_of(reference, layout.corner_px[i]);
-        const Sums after = sums_of(newer, expected_px);
-        sums.push_back({static_cast<double>(before.greys), static_cast<double>(before.squares),
-                        static_cast<double>(after.greys), static_cast<double>(after.squares), 0.0});
+        const BlockSums before =
+            sums_of(reference.row(corner_px.y()) + corner_px.x(), reference.stride_bytes);
+        const BlockSums after = sums_of(newer.row(expected_px.y()) + expected_px.x(), newer.stride_bytes);
+        sums.reference.push_back(before.greys);
+        sums.reference2.push_back(before.squares);
+        sums.newer.push_back(after.greys);
+        sums.newer2.push_back(after.squares);
     }
+    sums.difference.assign(sums.newer.size(), 0.0);
 }
 
-/// From the first `used` blocks.
-Brightness fit(const std::vector<GreySums>& sums, std::size_t used) {
-    GreySums total;
-    for (std::size_t i = 0; i < used; ++i) {
-        total.reference += sums[i].reference;
-        total.reference2 += sums[i].reference2;
-        total.newer += sums[i].newer;
-        total.newer2 += sums[i].newer2;
+/// From the blocks that differ by no more than that.
+Brightness fit(const GreySums& sums, double difference_max) {
+    double used = 0.0, greys = 0.0, squares = 0.0, newer_greys = 0.0, newer_squares = 0.0;
+    for (std::size_t i = 0; i < sums.newer.size(); ++i) {
+        const bool counts = sums.difference[i] <= difference_max;
+        used += counts ? 1.0 : 0.0;
+        greys += counts ? sums.reference[i] : 0.0;
+        squares += counts ? sums.reference2[i] : 0.0;
+        newer_greys += counts ? sums.newer[i] : 0.0;
+        newer_squares += counts ? sums.newer2[i] : 0.0;
     }
-    const double n = block_pixels * static_cast<double>(used);
-    const double mean = total.reference / n;
-    const double newer_mean = total.newer / n;
-    const double variance = total.reference2 / n - mean * mean;
-    const double newer_variance = total.newer2 / n - newer_mean * newer_mean;
+    const double n = block_pixels * used;
+    const double mean = greys / n;
+    const double newer_mean = newer_greys / n;
+    const double variance = squares / n - mean * mean;
+    const double newer_variance = newer_squares / n - newer_mean * newer_mean;
     Brightness b;
     if (variance > variance_min && newer_variance > variance_min)
         b.gain = std::clamp(std::sqrt(newer_variance / variance), 1.0 / gain_max, gain_max);
@@ -71,30 +61,43 @@ Brightness fit(const std::vector<GreySums>& sums, std::size_t used) {
     return b;
 }
 
+/// The difference that the best share of the blocks does not exceed.
+double difference_of_kept(const Brightness& b, GreySums& sums) {
+    for (std::size_t i = 0; i < sums.difference.size(); ++i)
+        sums.difference[i] = std::abs(sums.newer[i] - b.gain * sums.reference[i] - b.offset * block_pixels);
+    sums.sorted = sums.difference;
+    const auto kept =
+        static_cast<std::ptrdiff_t>(std::ceil(kept_share * static_cast<double>(sums.sorted.size())));
+    const auto last = sums.sorted.begin() + (kept - 1);
+    std::nth_element(sums.sorted.begin(), last, sums.sorted.end());
+    return *last;
+}
+
 }  // namespace
 
+GreyMap::GreyMap(const Brightness& brightness) {
+    constexpr double gain_limit = std::numeric_limits<std::int16_t>::max();
+    constexpr double offset_limit = 16000;  // 500 grey levels either way: farther than an 8-bit image goes
+    const double gain_wanted = std::round(unit_gain * brightness.gain);
+    const double offset_wanted = std::round(32.0 * brightness.offset + half);
+    gain = static_cast<std::int16_t>(std::clamp(gain_wanted, 0.0, gain_limit));
+    offset = static_cast<std::int16_t>(std::clamp(offset_wanted, -offset_limit, offset_limit));
+}
+
 GreyTable grey_table(const Brightness& brightness) {
+    const GreyMap shown(brightness);
     GreyTable table;
-    for (std::size_t grey = 0; grey < table.size(); ++grey) {
-        const double shown = std::round(brightness.gain * static_cast<double>(grey) + brightness.offset);
-        table[grey] = static_cast<std::uint8_t>(std::clamp(shown, 0.0, 255.0));
-    }
+    for (std::size_t grey = 0; grey < table.size(); ++grey)
+        table[grey] = shown(static_cast<std::uint8_t>(grey));
     return table;
 }
 
 Brightness compare_brightness(const ImageView& reference, const ImageView& newer, const BlockLayout& layout,
-                              const std::vector<Eigen::Vector2i>& bias_px, std::vector<GreySums>& sums) {
+                              const std::vector<Eigen::Vector2i>& bias_px, GreySums& sums) {
     collect(reference, newer, layout, bias_px, sums);
-    if (sums.empty()) return {};
-    const auto kept = static_cast<std::size_t>(std::ceil(kept_share * static_cast<double>(sums.size())));
-    Brightness b = fit(sums, sums.size());
-    for (int round = 0; round < rounds; ++round) {
-        for (GreySums& s : sums)
-            s.difference = std::abs(s.newer - b.gain * s.reference - b.offset * block_pixels);
-        std::nth_element(sums.begin(), sums.begin() + static_cast<std::ptrdiff_t>(kept - 1), sums.end(),
-                         [](const GreySums& p, const GreySums& q) { return p.difference < q.difference; });
-        b = fit(sums, kept);
-    }
+    if (sums.newer.empty()) return {};
+    Brightness b = fit(sums, 0.0);  // all: nothing differs as yet
+    for (int round = 0; round < rounds; ++round) b = fit(sums, difference_of_kept(b, sums));
     return b;
 }
 

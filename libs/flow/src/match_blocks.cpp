@@ -2,36 +2,14 @@
 
 #include <algorithm>
 
+#include "block_greys.h"
 #include "flownav/flow/subpixel.h"
 
 namespace flownav {
 namespace {
 
-using GreyBlock = std::array<std::uint8_t, std::size_t{block_px} * block_px>;
-
-/// The block at `corner_px` as the newer image would show it.
-GreyBlock gather(const ImageView& image, const Eigen::Vector2i& corner_px, const GreyTable& greys) {
-    GreyBlock block;
-    for (int v = 0; v < block_px; ++v) {
-        const std::uint8_t* row = image.row(corner_px.y() + v) + corner_px.x();
-        for (int u = 0; u < block_px; ++u) block[v * block_px + u] = greys[row[u]];
-    }
-    return block;
-}
-
-struct Greys {
-    GreyTable table;
-    bool identity;
-};
-
-Greys greys_of(const Brightness& brightness) {
-    Greys greys{grey_table(brightness), true};
-    for (std::size_t i = 0; i < greys.table.size(); ++i) greys.identity &= greys.table[i] == i;
-    return greys;
-}
-
 FlowVector match_one(const ImageView& reference, const ImageView& newer, const Eigen::Vector2i& corner_px,
-                     const Eigen::Vector2i& bias_px, const MatchSettings& settings, const Greys& greys) {
+                     const Eigen::Vector2i& bias_px, const MatchSettings& settings, const GreyMap& greys) {
     FlowVector vector;
     vector.at_px = corner_px.cast<double>().array() + (block_px - 1) / 2.0;
     const SearchRange range = clipped_range(corner_px, bias_px, newer);
@@ -39,12 +17,13 @@ FlowVector match_one(const ImageView& reference, const ImageView& newer, const E
     const Eigen::Vector2i window = corner_px + bias_px;
     const std::uint8_t* first = newer.data + window.y() * newer.stride_bytes + window.x();
     BlockMatch match;
-    if (greys.identity) {
+    if (greys.is_identity()) {
         const std::uint8_t* block = reference.row(corner_px.y()) + corner_px.x();
         match = settings.kernel->match(block, reference.stride_bytes, first, newer.stride_bytes, range);
     } else {
-        const GreyBlock block = gather(reference, corner_px, greys.table);
-        match = settings.kernel->match(block.data(), block_px, first, newer.stride_bytes, range);
+        const GreyBlock block =
+            shown_block(reference.row(corner_px.y()) + corner_px.x(), reference.stride_bytes, greys);
+        match = settings.kernel->match(block.pixels.data(), block_px, first, newer.stride_bytes, range);
     }
     vector.flow_px = bias_px.cast<double>() + refined_offset_px(match, settings.subpixel);
     vector.sigma_px = sigma_px_of(match);
@@ -66,7 +45,7 @@ void match_blocks(const ImageView& reference, const ImageView& newer, const Bloc
                   const std::vector<Eigen::Vector2i>& bias_px, const MatchSettings& settings,
                   std::vector<FlowVector>& vectors) {
     vectors.resize(layout.size());
-    const Greys greys = greys_of(settings.brightness);
+    const GreyMap greys(settings.brightness);
     const int n = static_cast<int>(layout.size());
 #pragma omp parallel for num_threads(settings.threads) schedule(static) if (settings.threads > 1)
     for (int i = 0; i < n; ++i)

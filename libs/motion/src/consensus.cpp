@@ -75,6 +75,7 @@ void prepare_votes(MotionScratch& scratch) {
         numbers->resize(n);
     votes.cell.resize(n);
     votes.agrees.resize(n);
+    votes.of_cell.assign(cells, 0);
     if (rows.empty()) return;
     Eigen::Vector2d low = rows.front().at;
     Eigen::Vector2d high = rows.front().at;
@@ -87,6 +88,7 @@ void prepare_votes(MotionScratch& scratch) {
         const Eigen::Vector2d share = (rows[i].at - low).cwiseQuotient(size);
         votes.cell[i] = std::min(columns - 1, static_cast<int>(share.x() * columns)) +
                         columns * std::min(lines - 1, static_cast<int>(share.y() * lines));
+        ++votes.of_cell[votes.cell[i]];
         votes.turn[i] = rows[i].turn;
         votes.pitch[i] = rows[i].pitch;
         votes.measured[i] = rows[i].measured;
@@ -105,19 +107,21 @@ Support support_of(MotionScratch::Votes& votes, const Turn& turn, double lambda_
         votes.agrees[i] = static_cast<int>(r_px < lambda_px) &
                           (static_cast<int>(r < vote_deviations) | static_cast<int>(r_px < vote_px));
     }
-    std::array<int, cells> all{};
     std::array<int, cells> agreeing{};
     Support s;
     for (std::size_t i = 0; i < n; ++i) {
-        ++all[votes.cell[i]];
         agreeing[votes.cell[i]] += votes.agrees[i];
         s.vectors += votes.agrees[i];
     }
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        s.all_cells += all[i] >= cell_votes_min;
-        s.cells += agreeing[i] >= cell_votes_min && 2 * agreeing[i] > all[i];
+    for (std::size_t i = 0; i < cells; ++i) {
+        s.all_cells += votes.of_cell[i] >= cell_votes_min;
+        s.cells += agreeing[i] >= cell_votes_min && 2 * agreeing[i] > votes.of_cell[i];
     }
     return s;
+}
+
+bool is_unbeatable(const Consensus& predicted) {
+    return continuity_bonus * predicted.support.cells >= predicted.support.all_cells;
 }
 
 Consensus find_consensus(MotionScratch& scratch, double background_rad, const MotionPrediction& prediction,

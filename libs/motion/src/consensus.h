@@ -39,6 +39,9 @@ struct Consensus {
     bool as_predicted = false;  ///< within the prediction's tolerance
 };
 
+/// True for a predicted rotation with so much support that no other could win in find_consensus().
+bool is_unbeatable(const Consensus& predicted);
+
 /// The rotation to start from: the one with the widest support among the predicted one, the background of
 /// [S] and the rotations that pairs of vectors stand for. A rotation as predicted wins against another with
 /// up to twice its support: what moves across a large part of the view does not turn the robot.

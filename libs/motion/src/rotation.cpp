@@ -17,7 +17,8 @@ constexpr double noise_factor_min = 0.5;
 constexpr double noise_factor_max = 3.0;
 constexpr double cluster_gap_px = 0.2;  // between vectors of one background
 constexpr int biweight_steps = 4;
-constexpr double determinant_min = 1e-3;  // relative; below yaw and pitch cannot be told apart
+constexpr double settled_deviations = 0.01;  // a step that changes the turn by less is the last
+constexpr double determinant_min = 1e-3;     // relative; below yaw and pitch cannot be told apart
 
 /// omega of the background after [S].
 double background(const std::vector<MotionSample>& samples, const CameraModel& camera,
@@ -80,19 +81,21 @@ void set_up_rotation(const std::vector<MotionSample>& samples, const CameraModel
                      const Vector2d& direction, const Turn& near, Geometry geometry, MotionScratch& scratch) {
     const PlaneGeometry plane(camera.mount);
     const Derotation derotated(plane, near.omega_rad, near.pitch_rad, geometry);
+    const Vector2d one_px = one_pixel(camera);
     scratch.across.clear();
     for (const MotionSample& s : samples) {
         const RayFlow travel = derotated(s.ray);
         const Vector2d e = plane.e(travel.at, direction);
-        if (e.norm() < 1e-6) continue;
-        const double deviation = deviation_across(e, s.ray.sigma);
-        const double unit = e.norm() * deviation;
+        if (e.squaredNorm() < 1e-12) continue;
+        // The deviation of the cross product with e, and one pixel in it.
+        const double unit = Vector2d(e.y() * s.ray.sigma.x(), e.x() * s.ray.sigma.y()).norm();
+        const double unit_of_px = Vector2d(e.y() * one_px.x(), e.x() * one_px.y()).norm();
         MotionScratch::Across row;
         row.turn = cross(e, plane.h(travel.at)) / unit;
         row.pitch = cross(e, PlaneGeometry::p(travel.at)) / unit;
         row.measured = cross(e, travel.flow) / unit + row.turn * near.omega_rad + row.pitch * near.pitch_rad;
         row.weight = 1.0;
-        row.deviation_px = deviation / deviation_across(e, one_pixel(camera));
+        row.deviation_px = unit / unit_of_px;
         row.at = s.ray.at;
         scratch.across.push_back(row);
     }
@@ -102,6 +105,10 @@ void set_up_rotation(const std::vector<MotionSample>& samples, const CameraModel
 Consensus start_rotation(const std::vector<MotionSample>& samples, const CameraModel& camera,
                          const Vector2d& direction, const MotionPrediction& prediction,
                          const MotionParams& params, MotionScratch& scratch) {
+    const Turn predicted{prediction.omega_rad,
+                         params.model == MotionModel::YawPitch ? prediction.pitch_rad : 0.0};
+    const Consensus continuing{predicted, support_of(scratch.votes, predicted, params.lambda_px), true};
+    if (is_unbeatable(continuing)) return continuing;
     const double background_rad = background(samples, camera, direction, scratch);
     return find_consensus(scratch, background_rad, prediction, params);
 }
@@ -112,7 +119,9 @@ Rotation fit_rotation(const Turn& start, const MotionParams& params, MotionScrat
     for (int step = 0; step < biweight_steps; ++step) {
         r.noise_factor = noise_factor_about(r.turn, params.lambda_px, scratch);
         for (auto& row : scratch.across) row.weight = biweight(residual(row, r.turn) / r.noise_factor);
+        const double before_rad = r.turn.omega_rad;
         solve(scratch, params.model, r);
+        if (std::abs(r.turn.omega_rad - before_rad) < settled_deviations * r.sigma_omega_rad) break;
     }
     r.support = support_of(scratch.votes, r.turn, params.lambda_px);
     return r;

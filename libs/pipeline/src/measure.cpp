@@ -13,13 +13,11 @@ using Eigen::Vector2d;
 /// The flow that the ground would show.
 void predict_flow(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
                   const MotionPrediction& prediction, Measurement& m) {
-    const CameraMount& mount = reference.field.camera.mount;
-    const PlaneGeometry plane(mount);
+    const GroundFlow ground_flow(reference.field.camera.mount, prediction);
     m.predicted_px.resize(layout.size());
     for (std::size_t i = 0; i < layout.size(); ++i) {
-        const Vector2d at = reference.mapper.ray(layout.centre_px[i]);
-        const Vector2d flow = predicted_ground_flow(plane, mount, at, prediction);
-        m.predicted_px[i] = newest.mapper.pixel(at + flow) - layout.centre_px[i];
+        const Vector2d& at = layout.centre[i];
+        m.predicted_px[i] = newest.mapper.pixel(at + ground_flow(at)) - layout.centre_px[i];
     }
 }
 
@@ -32,7 +30,8 @@ void collect(const HeldField& reference, const HeldField& newest, const BlockLay
     for (std::size_t i = 0; i < layout.size(); ++i) {
         m.placed += m.vectors[i].valid;
         if (!is_confident(m.vectors[i], params.flow)) continue;
-        m.rays[i] = ray_flow(m.vectors[i], reference.mapper, newest.mapper, params.motion.geometry);
+        m.rays[i] =
+            ray_flow(m.vectors[i], layout.centre[i], reference.mapper, newest.mapper, params.motion.geometry);
         m.samples.push_back({m.rays[i], layout.in_ground_window[i] != 0});
     }
 }

@@ -36,7 +36,8 @@ struct MeasureContext {
 /// True when a vector is worth using.
 bool is_confident(const FlowVector& vector, const FlowParams& params);
 
-/// Matches the blocks with their windows where the prediction expects the ground, and estimates the motion.
+/// Matches the blocks of a layout whose reference this is, with their windows where the prediction expects
+/// the ground, and estimates the motion.
 void measure(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
              const MotionPrediction& prediction, const MeasureContext& context, Measurement& m);
 

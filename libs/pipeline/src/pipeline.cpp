@@ -23,6 +23,11 @@ double last_picture_s(const Impl& s) {
     return (s.cycle.empty() ? s.reference : s.newest).field.timestamp_s;
 }
 
+void aim_layouts(Impl& s) {
+    set_reference(s.layout, s.reference.mapper);
+    set_reference(s.coarse_layout, s.reference.mapper);
+}
+
 /// The newest field becomes the reference of a new cycle.
 void begin_cycle(Impl& s) {
     std::swap(s.reference, s.newest);
@@ -31,6 +36,7 @@ void begin_cycle(Impl& s) {
     s.failures = 0;
     s.last_measured = {EgoMotion{}, s.reference.field.timestamp_s};
     s.T_start_reference = s.step.T_start_robot;
+    aim_layouts(s);
 }
 
 /// The first comparison of a cycle: what the last cycle measured is over.
@@ -68,6 +74,7 @@ void learn_pitch(Impl& s) {
     s.pitch.learn(s.step.motion);
     const double in_use_rad = s.step.pitch_correction_rad;
     correct_pitch(s, s.reference);
+    aim_layouts(s);
     s.step.pitch_correction_rad = in_use_rad;
 }
 

@@ -59,6 +59,14 @@ Filmstrip::Picture picture_of(const Field& field, const pipeline::Step& step, co
 
 }  // namespace
 
+/// Takes the picture that is being drawn.
+void Filmstrip::settle() {
+    if (!pending_.valid()) return;
+    pictures_.push_back(pending_.get());
+    bytes_ += pictures_.back().jpeg.size();
+    while (bytes_ > most_bytes && pictures_.size() > 1) make_room();
+}
+
 bool Filmstrip::is_due(const pipeline::Step& step) const {
     if (pictures_.empty()) return true;
     const bool overdue = step.timestamp_s >= due_s_ + interval_s_;
@@ -66,6 +74,9 @@ bool Filmstrip::is_due(const pipeline::Step& step) const {
 }
 
 void Filmstrip::offer(const Field& field, const pipeline::Step& step) {
+    const bool begun = pending_.valid() || !pictures_.empty();
+    if (begun && step.timestamp_s < due_s_) return;
+    settle();  // the room that the last one takes may put off the next
     if (!is_due(step)) return;
     const bool first = pictures_.empty();
     if (!first && !has_better_than_first_) {
@@ -74,10 +85,13 @@ void Filmstrip::offer(const Field& field, const pipeline::Step& step) {
         bytes_ = 0;
         has_better_than_first_ = true;
     }
-    pictures_.push_back(picture_of(field, step, small_ ? small_look : large_look));
-    bytes_ += pictures_.back().jpeg.size();
+    // Without a thread to spare it is drawn when it is asked for.
+    const auto how = std::launch::deferred | (in_background_ ? std::launch::async : std::launch::deferred);
+    pending_ = std::async(how, [field, step, look = small_ ? small_look : large_look] {
+        return picture_of(field, step, look);
+    });
     due_s_ = step.timestamp_s + (first ? 0.0 : interval_s_);
-    while (bytes_ > most_bytes && pictures_.size() > 1) make_room();
+    if (!in_background_) settle();
 }
 
 void Filmstrip::make_room() {

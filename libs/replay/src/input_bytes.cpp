@@ -1,6 +1,6 @@
 #include "input_bytes.h"
 
-#include <zlib.h>
+#include <isa-l/igzip_lib.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t buffer_bytes = 1 << 18;
 constexpr std::uint64_t deflate_ratio_max = 1032;  // the most that one byte of a deflate stream can stand for
-constexpr int gzip_only = 15 + 16;                 // window bits of inflateInit2
+constexpr std::uint64_t held_back_max = 1 << 17;   // output that a decoder may hold: two windows and more
 
 std::uint64_t checked_size(const std::filesystem::path& file) {
     std::error_code error;
@@ -31,6 +31,25 @@ std::uint64_t checked_size(const std::filesystem::path& file) {
     return size;
 }
 
+const char* meaning_of(int result) {
+    switch (result) {
+        case ISAL_INVALID_BLOCK:
+            return "invalid block";
+        case ISAL_INVALID_SYMBOL:
+            return "invalid symbol";
+        case ISAL_INVALID_LOOKBACK:
+            return "invalid distance";
+        case ISAL_INVALID_WRAPPER:
+            return "invalid header";
+        case ISAL_UNSUPPORTED_METHOD:
+            return "unknown compression method";
+        case ISAL_INCORRECT_CHECKSUM:
+            return "incorrect checksum";
+        default:
+            return "unknown error";
+    }
+}
+
 bool is_gz(const std::uint8_t* bytes, std::size_t count) {
     return count >= 2 && bytes[0] == 0x1f && bytes[1] == 0x8b;
 }
@@ -38,18 +57,14 @@ bool is_gz(const std::uint8_t* bytes, std::size_t count) {
 }  // namespace
 
 struct InputBytes::Inflater {
-    z_stream stream{};
+    inflate_state stream;
     bool inside_member = true;
+    int failure = ISAL_DECOMP_OK;  ///< the last bytes in front of a damage may come together with it
 
     Inflater() {
-        if (inflateInit2(&stream, gzip_only) != Z_OK) throw std::bad_alloc();
+        isal_inflate_init(&stream);
+        stream.crc_flag = ISAL_GZIP;
     }
-    ~Inflater() { inflateEnd(&stream); }
-    Inflater(const Inflater& other) : inside_member(other.inside_member) {
-        // zlib only reads the source, but does not say so.
-        if (inflateCopy(&stream, const_cast<z_stream*>(&other.stream)) != Z_OK) throw std::bad_alloc();
-    }
-    Inflater& operator=(const Inflater&) = delete;
 };
 
 InputBytes::InputBytes(const std::filesystem::path& file)
@@ -133,20 +148,20 @@ std::size_t InputBytes::inflate_some(std::uint8_t* target, std::size_t count) {
     if (!inflater_->inside_member) start_next_member();
     if (at_ == filled_ && !file_over_) refill();
     if (state_ != State::Good) return 0;
-    z_stream& z = inflater_->stream;
+    inflate_state& z = inflater_->stream;
     const std::size_t wanted = std::min<std::size_t>(count, 1U << 30);
     z.next_in = buffer_.data() + at_;
-    z.avail_in = static_cast<uInt>(filled_ - at_);
+    z.avail_in = static_cast<std::uint32_t>(filled_ - at_);
     z.next_out = target;
-    z.avail_out = static_cast<uInt>(wanted);
-    const int result = inflate(&z, Z_NO_FLUSH);
+    z.avail_out = static_cast<std::uint32_t>(wanted);
+    if (inflater_->failure == ISAL_DECOMP_OK) inflater_->failure = std::min(0, isal_inflate(&z));
     at_ = filled_ - z.avail_in;
     const std::size_t made = wanted - z.avail_out;
-    if (result == Z_STREAM_END) {
+    if (inflater_->failure != ISAL_DECOMP_OK) {
+        stop(State::Corrupt,
+             std::string("the gz stream is damaged (") + meaning_of(inflater_->failure) + ')');
+    } else if (z.block_state == ISAL_BLOCK_FINISH) {
         inflater_->inside_member = false;
-    } else if (result != Z_OK && result != Z_BUF_ERROR) {
-        const std::string why = z.msg != nullptr ? z.msg : zError(result);
-        stop(State::Corrupt, "the gz stream is damaged (" + why + ")");
     } else if (made == 0 && file_over_ && at_ == filled_) {
         stop(State::Truncated, "the gz stream stops before its end");
     }
@@ -159,7 +174,7 @@ void InputBytes::start_next_member() {
     if (at_ == filled_) {
         stop(State::End, "");
     } else if (is_gz(buffer_.data() + at_, filled_ - at_)) {
-        inflateReset(&inflater_->stream);
+        isal_inflate_reset(&inflater_->stream);
         inflater_->inside_member = true;
     } else {
         stop(State::Corrupt, "the gz stream is followed by bytes that do not belong to it");
@@ -169,8 +184,7 @@ void InputBytes::start_next_member() {
 std::uint64_t InputBytes::upper_bound() const {
     if (state_ != State::Good) return 0;
     const std::uint64_t left = (file_size_ > taken_ ? file_size_ - taken_ : 0) + (filled_ - at_);
-    // inflate() holds back at most one window of output.
-    return inflater_ ? left * deflate_ratio_max + 65536 : left;
+    return inflater_ ? left * deflate_ratio_max + held_back_max : left;
 }
 
 double InputBytes::progress() const {

@@ -123,7 +123,7 @@ bool ObjectReader::begin_object() {
     class_name_.clear();
     const auto head = stream_.peek(object_header_bytes);
     const ObjectHeader header = parse_object_header(head);
-    class_name_ = header.class_name;
+    if (header.kind != ObjectHeader::Kind::TooShort) class_name_ = header.class_name;
     if (head.empty() && bytes_.state() == InputBytes::State::End) {
         finish(ReadEnd::Kind::Clean, "", "");
     } else if (header.kind == ObjectHeader::Kind::TooShort) {

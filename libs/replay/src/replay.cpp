@@ -1,5 +1,6 @@
 #include "flownav/replay/replay.h"
 
+#include <algorithm>
 #include <optional>
 #include <system_error>
 #include <variant>
@@ -39,8 +40,9 @@ class Run {
   public:
     explicit Run(const ReplayOptions& options)
         : options_(options),
-          state_(options.config.pipeline, clock_.timed(make_matcher(options.config.pipeline))) {
+          state_(options.config.pipeline, clock_.timed(make_matcher(matching(options.config.pipeline)))) {
         timing_.threads = options.config.pipeline.threads;
+        drive_.filmstrip = Filmstrip(several_threads());
         const bool own = options.config.pipeline.flow.matcher == MatcherKind::Sad;
         timing_.kernel = own ? pipeline::kernel_name() : "opencv";
         drive_.input_name = options.input.filename().string();
@@ -56,6 +58,14 @@ class Run {
     }
 
   private:
+    bool several_threads() const { return options_.config.pipeline.threads > 1; }
+
+    /// Of several threads one decodes; the others match.
+    static pipeline::Params matching(pipeline::Params params) {
+        params.threads = std::max(1, params.threads - 1);
+        return params;
+    }
+
     void refuse_bad_paths() const {
         const std::string problem = problem_of_input(options_.input);
         if (!problem.empty()) throw UsageError(problem);
@@ -104,7 +114,7 @@ class Run {
     void read_events(RawlogReader& reader) {
         FieldSource source(reader, options_.config.camera);
         std::optional<DecodeAhead> ahead;
-        if (options_.config.pipeline.threads > 1) ahead.emplace(source, reader);
+        if (several_threads()) start(ahead, source, reader);
         Progress progress(stdout, options_.progress);
         for (;;) {
             const Decoded decoded = ahead ? next([&] { return ahead->next(); })
@@ -116,6 +126,14 @@ class Run {
         }
         progress.finish(drive_.rows.size());
         drive_.read = source.counts();
+    }
+
+    static void start(std::optional<DecodeAhead>& ahead, FieldSource& source, const RawlogReader& reader) {
+        try {
+            ahead.emplace(source, reader);
+        } catch (const std::system_error&) {
+            // No thread to be had: this one decodes as well.
+        }
     }
 
     template <typename Decode>
@@ -170,6 +188,7 @@ class Run {
     void finish() {
         open_outputs();
         clock_.enter(&StageTimes::write_s);
+        drive_.filmstrip.finish();
         drive_.odometry.finish();
         drive_.ground_truth.finish();
         if (!drive_.odometry.empty()) drive_.odometry_errors = compare(drive_.rows, drive_.odometry);

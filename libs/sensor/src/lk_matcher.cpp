@@ -46,7 +46,7 @@ cv::Point2f to_cv(const Eigen::Vector2d& point) {
 /// The reference in the brightness of the newer image, as the block matcher sees it.
 cv::Mat compensated(const ImageView& reference, const ImageView& newer, const BlockLayout& layout,
                     const std::vector<Eigen::Vector2i>& bias_px) {
-    std::vector<GreySums> sums;
+    GreySums sums;
     GreyTable greys = grey_table(compare_brightness(reference, newer, layout, bias_px, sums));
     cv::Mat image;
     cv::LUT(view_of(reference), cv::Mat(1, static_cast<int>(greys.size()), CV_8UC1, greys.data()), image);

@@ -1,7 +1,6 @@
 #include "flownav/sensor/picture_file.h"
 
 #include <fstream>
-#include <iterator>
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 
@@ -10,9 +9,10 @@ namespace flownav {
 cv::Mat read_picture(const std::filesystem::path& file, int flags) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) return {};
+    std::vector<char> bytes(std::filesystem::file_size(file, error));
     std::ifstream stream(file, std::ios::binary);
-    const std::vector<char> bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-    if (bytes.empty()) return {};
+    if (error || bytes.empty() || !stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+        return {};
     try {
         return cv::imdecode(bytes, flags);
     } catch (const cv::Exception&) {

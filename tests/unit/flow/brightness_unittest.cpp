@@ -30,7 +30,7 @@ struct Exposed {
     }
 
     Brightness compared() const {
-        std::vector<GreySums> sums;
+        GreySums sums;
         return compare_brightness(first.view(), second.view(), layout,
                                   std::vector<Eigen::Vector2i>(layout.size(), Eigen::Vector2i::Zero()), sums);
     }
@@ -81,7 +81,7 @@ TEST(Brightness, ConstantImagesHaveNoGain) {
     const GreyImage black(64, 64);
     BlockLayout layout;
     layout.corner_px.assign(4, Eigen::Vector2i(8, 8));
-    std::vector<GreySums> sums;
+    GreySums sums;
     const Brightness b = compare_brightness(black.view(), black.view(), layout,
                                             std::vector<Eigen::Vector2i>(4, Eigen::Vector2i::Zero()), sums);
     EXPECT_EQ(b.gain, 1.0);
@@ -92,7 +92,7 @@ TEST(Brightness, NothingInCommonMeansNoChange) {
     const GreyImage image(64, 64);
     BlockLayout layout;
     layout.corner_px.assign(4, Eigen::Vector2i(8, 8));
-    std::vector<GreySums> sums;
+    GreySums sums;
     const Brightness b = compare_brightness(image.view(), image.view(), layout,
                                             std::vector<Eigen::Vector2i>(4, Eigen::Vector2i(500, 0)), sums);
     EXPECT_EQ(b.gain, 1.0);
@@ -104,6 +104,23 @@ TEST(GreyTable, IsClampedAtBlackAndWhite) {
     EXPECT_EQ(table[0], 0);
     EXPECT_EQ(table[50], 80);
     EXPECT_EQ(table[255], 255);
+}
+
+TEST(GreyTable, IsRightToHalfAGreyLevel) {
+    for (const Brightness& b : {Brightness{1.0, 0.3}, {1.37, -20.0}, {0.61, 90.7}, {2.0, -140.0}, {0.5, 0.0}}) {
+        const GreyTable table = grey_table(b);
+        for (std::size_t grey = 0; grey < table.size(); ++grey) {
+            const double exact = std::clamp(b.gain * static_cast<double>(grey) + b.offset, 0.0, 255.0);
+            EXPECT_NEAR(table[grey], exact, 0.5 + 1.0 / 32.0) << b.gain << ' ' << b.offset << ' ' << grey;
+        }
+    }
+}
+
+TEST(GreyTable, EvenNonsenseIsClamped) {
+    EXPECT_EQ(grey_table({1.0, 1e9})[0], 255);
+    EXPECT_EQ(grey_table({1.0, -1e9})[255], 0);
+    EXPECT_EQ(grey_table({1e9, 0.0})[200], 255);
+    EXPECT_EQ(grey_table({-5.0, 0.0})[200], 0);
 }
 
 TEST(GreyTable, NoChangeIsTheIdentity) {

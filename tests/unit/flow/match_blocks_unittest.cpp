@@ -64,6 +64,26 @@ TEST(MatchBlocks, ResultDoesNotDependOnTheNumberOfThreads) {
     }
 }
 
+TEST(MatchBlocks, InAnotherLightEveryGreyIsAsTheMapSays) {
+    const Pair pair;
+    const Eigen::Vector2i shift_px(3, -2);
+    for (const Brightness& light : {Brightness{1.3, -20.0}, {0.7, 11.0}, {1.0, 4.4}, {1.9, 30.0}}) {
+        MatchSettings settings;
+        settings.brightness = light;
+        const GreyMap shown(light);
+        testing::GreyImage other(pair.first.image.width_px, pair.first.image.height_px);
+        for (int v = 2; v < other.height_px; ++v) {
+            for (int u = 3; u < other.width_px; ++u)
+                other.row(v + shift_px.y())[u] = shown(pair.first.image.at(u - shift_px.x(), v));
+        }
+        std::vector<FlowVector> vectors;
+        match_blocks(pair.first.image, other.view(), pair.layout, pair.no_bias, settings, vectors);
+        int exact = 0;
+        for (const FlowVector& v : vectors) exact += v.confidence == 1.0;  // a smallest sum of 0
+        EXPECT_GT(exact, 300) << light.gain;
+    }
+}
+
 TEST(MatchBlocks, AWindowOutsideTheImageIsNotMeasured) {
     const Pair pair;
     std::vector<FlowVector> vectors;

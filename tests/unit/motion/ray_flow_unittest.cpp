@@ -61,7 +61,7 @@ double worst_prediction_px(const testing::Pair& pair) {
     double worst_px = 0.0;
     for (const FlowVector& v : testing::exact_vectors(pair)) {
         const Vector2d at = mapper.ray(v.at_px);
-        const Vector2d flow = predicted_ground_flow(PlaneGeometry(camera.mount), camera.mount, at, motion);
+        const Vector2d flow = GroundFlow(camera.mount, motion)(at);
         worst_px = std::max(worst_px, (mapper.pixel(at + flow) - v.at_px - v.flow_px).norm());
     }
     return worst_px;

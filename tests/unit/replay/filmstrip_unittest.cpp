@@ -99,6 +99,22 @@ TEST(Filmstrip, PicturesBecomeSmallerBeforeTheyBecomeRarer) {
     EXPECT_LE(bytes_of(strip), Filmstrip::most_bytes);
 }
 
+TEST(Filmstrip, DrawnInTheBackgroundItIsTheSame) {
+    Filmstrip at_once, in_background(true);
+    for (int i = 0; i < 2000; ++i) {
+        const Field field = i % 7 == 0 ? noisy_field(i) : pal_field(i);
+        const pipeline::Step step = step_at(i);
+        at_once.offer(field, step);
+        in_background.offer(field, step);
+    }
+    in_background.finish();
+    ASSERT_EQ(in_background.pictures().size(), at_once.pictures().size());
+    for (std::size_t i = 0; i < at_once.pictures().size(); ++i) {
+        EXPECT_EQ(in_background.pictures()[i].timestamp_s, at_once.pictures()[i].timestamp_s);
+        EXPECT_EQ(in_background.pictures()[i].jpeg, at_once.pictures()[i].jpeg);
+    }
+}
+
 TEST(Filmstrip, PicturesShowShapesAtTheirTrueHeight) {
     Filmstrip strip;
     strip.offer(pal_field(0), step_at(0));

@@ -188,7 +188,7 @@ TEST(RawlogReader, WrongChecksumIsCorruptAfterAllObjects) {
     const auto result = read_bytes(bytes);
     EXPECT_EQ(result.end.kind, Kind::Corrupt);
     EXPECT_EQ(result.end.objects_read, objects.size());
-    EXPECT_TRUE(contains(result.end.message, "data check")) << result.end.message;
+    EXPECT_TRUE(contains(result.end.message, "incorrect checksum")) << result.end.message;
 }
 
 TEST(RawlogReader, FlippedBitInTheGzStreamIsCorrupt) {

@@ -15,6 +15,7 @@ constexpr int ground_window_min = 12;  ///< blocks placed in the ground window a
 struct BlockLayout {
     std::vector<Eigen::Vector2i> corner_px;  ///< top left pixel of each 16x16 block
     std::vector<Eigen::Vector2d> centre_px;  ///< corner + 7.5
+    std::vector<Eigen::Vector2d> centre;     ///< the same on the normalised plane of the reference
     std::vector<char> in_ground_window;      ///< 1: its flow measures the speed
     /// The nearest other blocks of each, -1 behind the last.
     std::vector<std::array<int, neighbours_max>> neighbours;
@@ -27,6 +28,9 @@ struct BlockLayout {
 /// low-discrepancy sequence, no random numbers. Empty when the image is too small for a block or lies in the
 /// blind cone.
 BlockLayout place_blocks(const RayMapper& mapper, const FlowParams& params);
+
+/// For a reference whose rows lie, or whose camera looks, a little differently.
+void set_reference(BlockLayout& layout, const RayMapper& reference);
 
 /// Every nth block of a layout, without neighbours: for quick searches.
 BlockLayout every_nth(const BlockLayout& layout, std::size_t n);

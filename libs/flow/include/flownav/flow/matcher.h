@@ -31,7 +31,7 @@ class BlockMatcher {
     FlowParams params_;
     MatchSettings settings_;
     std::vector<Eigen::Vector2i> bias_px_;
-    std::vector<GreySums> sums_;
+    GreySums sums_;
 };
 
 }  // namespace flownav

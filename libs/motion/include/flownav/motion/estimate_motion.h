@@ -35,6 +35,7 @@ struct MotionScratch {
     struct Votes {
         std::vector<double> turn, pitch, measured, deviation_px;
         std::vector<int> cell, agrees;
+        std::vector<int> of_cell;  ///< votes of every cell
     };
     std::vector<OmegaSample> omegas;
     std::vector<Across> across;

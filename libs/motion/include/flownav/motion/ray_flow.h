@@ -12,6 +12,10 @@ namespace flownav {
 RayFlow ray_flow(const FlowVector& vector, const RayMapper& reference, const RayMapper& newer,
                  Geometry geometry);
 
+/// The same of a vector whose begin is known to lie at `begin` on the reference's plane.
+RayFlow ray_flow(const FlowVector& vector, const Eigen::Vector2d& begin, const RayMapper& reference,
+                 const RayMapper& newer, Geometry geometry);
+
 /// What is known about a motion beforehand: rates times the time from the reference to the newer field.
 struct MotionPrediction {
     double omega_rad = 0.0;
@@ -22,9 +26,22 @@ struct MotionPrediction {
     double omega_tolerance_rad = std::numeric_limits<double>::infinity();
 };
 
-/// Eq. (3) for a point of the ground at `at` in the reference, evaluated at the mid-point of the vector
-/// itself.
-Eigen::Vector2d predicted_ground_flow(const PlaneGeometry& plane, const CameraMount& mount,
-                                      const Eigen::Vector2d& at, const MotionPrediction& motion);
+/// Eq. (3) for points of the ground, evaluated at the mid-point of the vector itself.
+class GroundFlow {
+  public:
+    GroundFlow(const CameraMount& mount, const MotionPrediction& motion)
+        : plane_(mount),
+          travel_(camera_travel(mount, motion.forward_m, motion.omega_rad, motion.chord_rad)),
+          omega_rad_(motion.omega_rad),
+          pitch_rad_(motion.pitch_rad) {}
+
+    /// `at`: in the reference.
+    Eigen::Vector2d operator()(const Eigen::Vector2d& at) const;
+
+  private:
+    PlaneGeometry plane_;
+    Eigen::Vector2d travel_;
+    double omega_rad_, pitch_rad_;
+};
 
 }  // namespace flownav

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
+#include <future>
 #include <vector>
 
 #include "flownav/core/field.h"
@@ -23,18 +24,27 @@ class Filmstrip {
         std::vector<std::uint8_t> jpeg;
     };
 
+    /// `in_background`: pictures are drawn in a thread of their own, with the same result.
+    explicit Filmstrip(bool in_background = false) : in_background_(in_background) {}
+
     /// Considers one more field; they come with rising time stamps.
     void offer(const Field& field, const pipeline::Step& step);
+
+    /// Waits for the last picture, after the last field.
+    void finish() { settle(); }
 
     /// In order of time. A drive of a single field has one.
     const std::vector<Picture>& pictures() const { return pictures_; }
 
   private:
     bool is_due(const pipeline::Step& step) const;
+    void settle();
     void make_room();
     void shrink();
     void thin_out();
 
+    bool in_background_ = false;
+    std::future<Picture> pending_;  ///< the last one, while it is being drawn
     std::vector<Picture> pictures_;
     std::size_t bytes_ = 0;
     bool has_better_than_first_ = false;
