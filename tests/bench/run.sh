@@ -7,7 +7,8 @@ usage() {
     cat <<END
 usage: tests/bench/run.sh [--quick] [--realtime-summary FILE] [--output FILE.md] [--help]
   --quick                  a tenth of the time, for a look; the figures are rough
-  --realtime-summary FILE  realtime.json of a long run of flownav-replay --realtime beside a busy process, for the page
+  --realtime-summary FILE  realtime.json of a long run of flownav-replay --realtime beside a busy process, for the page;
+                           may be repeated
   --output FILE.md         the page; default share/doc/benchmark.md
 Takes about five minutes on a machine that does nothing else. FLOWNAV_DATA names the folder of the optional test data
 (default: ../shared/data beside the checkout). Exit status: 0 written, 1 otherwise.
@@ -21,7 +22,7 @@ page=$root/share/doc/benchmark.md
 while [ $# -gt 0 ]; do
     case $1 in
         --quick) time=0.05 rounds=2 ;;
-        --realtime-summary) realtime=(--realtime "$2") && shift ;;
+        --realtime-summary) realtime+=(--realtime "$2") && shift ;;
         --output) page=$2 && shift ;;
         --help | -h) usage && exit 0 ;;
         *) echo "run.sh: unknown argument $1" >&2 && usage >&2 && exit 1 ;;

@@ -1,5 +1,6 @@
 #include "flownav/mapping/local_map.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -20,20 +21,28 @@ int thousandths(double p_free) {
 }
 
 float probability(int log_odds) {
+    if (log_odds == 0) return 0.5F;  // as most cells
     return static_cast<float>(1.0 / (1.0 + std::exp(-1e-3 * log_odds)));
 }
 
-int wrapped(int index, int side) {
-    const int rest = index % side;
-    return rest < 0 ? rest + side : rest;
+/// A power of two, so that wrapping an index is a matter of its last bits.
+int side_of(const MapParams& params) {
+    // A turned square and the evidence just outside it must not meet themselves in the ring.
+    const double wanted = 1.6 * params.size_m / params.resolution_m;
+    int side = 1;
+    while (side < wanted) side *= 2;
+    return side;
+}
+
+Eigen::Isometry2d isometry(const Pose2& pose) {
+    return Eigen::Translation2d(pose.x_m, pose.y_m) * Eigen::Rotation2Dd(pose.yaw_rad);
 }
 
 }  // namespace
 
 LocalMap::LocalMap(const MapParams& params)
     : params_(params),
-      // A turned square and the evidence just outside it must not meet themselves in the ring.
-      side_(static_cast<int>(std::ceil(1.6 * params.size_m / params.resolution_m))),
+      side_(side_of(params)),
       cells_(static_cast<std::size_t>(side_) * side_),
       grid_(static_cast<float>(-params.size_m / 2), static_cast<float>(params.size_m / 2),
             static_cast<float>(-params.size_m / 2), static_cast<float>(params.size_m / 2),
@@ -63,34 +72,40 @@ void LocalMap::redraw(const Pose2& T_map_robot) {
     const CellFrame frame{Vector2d::Zero(), params_.resolution_m};
     const int columns = static_cast<int>(grid_.getSizeX());
     const int rows = static_cast<int>(grid_.getSizeY());
+    const Eigen::Isometry2d T = isometry(T_map_robot);
     for (int y = 0; y < rows; ++y) {
         for (int x = 0; x < columns; ++x) {
-            const Vector2d p = transform(T_map_robot, {grid_.idx2x(x), grid_.idx2y(y)});
+            const Vector2d p = T * Vector2d(grid_.idx2x(x), grid_.idx2y(y));
             grid_.setCell(x, y, probability(log_odds(frame.cell_of(p))));
         }
     }
     // A cell that is askew may miss every middle of the grid: obstacles must not get lost.
-    const Pose2 T_robot_map = inverse(T_map_robot);
+    const Eigen::Isometry2d T_robot_map = T.inverse();
     const CellFrame of_robot{{grid_.getXMin(), grid_.getYMin()}, grid_.getResolution()};
     for (const Cell& cell : cells_) {
         if (cell.log_odds >= 0) continue;
         const Vector2d middle_m = (cell.index.cast<double>() + Vector2d(0.5, 0.5)) * params_.resolution_m;
-        const Vector2i at = of_robot.cell_of(transform(T_robot_map, middle_m));
+        const Vector2i at = of_robot.cell_of(T_robot_map * middle_m);
         grid_.setCell(at.x(), at.y(), std::min(grid_.getCell(at.x(), at.y()), probability(cell.log_odds)));
     }
     for (const Vector2d& mover_m : movers_m_) {
-        const Vector2i at = of_robot.cell_of(transform(T_robot_map, mover_m));
+        const Vector2i at = of_robot.cell_of(T_robot_map * mover_m);
         grid_.updateCell(at.x(), at.y(), static_cast<float>(p_free_of_mover));
     }
 }
 
+std::size_t LocalMap::place_of(const Vector2i& index) const {
+    const int last = side_ - 1;
+    return static_cast<std::size_t>(index.y() & last) * static_cast<std::size_t>(side_) +
+           static_cast<std::size_t>(index.x() & last);
+}
+
 LocalMap::Cell& LocalMap::place(const Vector2i& index) {
-    return cells_[static_cast<std::size_t>(wrapped(index.y(), side_)) * side_ + wrapped(index.x(), side_)];
+    return cells_[place_of(index)];
 }
 
 int LocalMap::log_odds(const Vector2i& index) const {
-    const Cell& cell =
-        cells_[static_cast<std::size_t>(wrapped(index.y(), side_)) * side_ + wrapped(index.x(), side_)];
+    const Cell& cell = cells_[place_of(index)];
     return cell.index == index ? cell.log_odds : 0;
 }
 

@@ -7,6 +7,8 @@ namespace flownav {
 
 RepeatedTimes::RepeatedTimes(const std::vector<double>& recorded_s) {
     if (recorded_s.size() < 2) throw std::invalid_argument("a paced run needs two fields or more");
+    if (recorded_s.back() <= recorded_s.front())
+        throw std::invalid_argument("the fields of a paced run must follow each other in time");
     for (const double time_s : recorded_s) after_first_s_.push_back(time_s - recorded_s.front());
     once_s_ = after_first_s_.back() * static_cast<double>(recorded_s.size()) /
               static_cast<double>(recorded_s.size() - 1);

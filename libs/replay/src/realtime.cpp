@@ -1,5 +1,7 @@
 #include "flownav/replay/realtime.h"
 
+#include <sched.h>
+
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -109,6 +111,18 @@ PacedFields play(const std::vector<Field>& fields, const RealtimeOptions& option
     return run_paced(times, count, steady_pace(), work);
 }
 
+/// What the operating system gives this program, as chrt(1) calls it.
+std::string scheduling() {
+    switch (sched_getscheduler(0)) {
+        case SCHED_FIFO:
+            return "fifo";
+        case SCHED_RR:
+            return "rr";
+        default:
+            return "other";
+    }
+}
+
 double ms(double seconds) {
     return std::round(seconds * 1e6) / 1e3;  // whole microseconds
 }
@@ -119,6 +133,7 @@ std::string to_json(const PacedFields& paced, const LatencyFigures& figures, con
                                          {"input", options.input.filename().string()},
                                          {"kernel", pipeline::kernel_name()},
                                          {"threads", options.config.pipeline.threads},
+                                         {"scheduling", scheduling()},
                                          {"fields", paced.arrived},
                                          {"dropped", paced.dropped},
                                          {"latency_ms",
@@ -142,6 +157,8 @@ ReplayResult run(const RealtimeOptions& options) {
     result.message = recording.problem;
     if (!recording.problem.empty()) result.status = ExitStatus::Input;
     if (recording.fields.size() < 2) return result;
+    if (recording.fields.back().timestamp_s <= recording.fields.front().timestamp_s)
+        throw ConfigError(options.input.string() + ": its fields do not follow each other in time");
     if (!options.output.empty()) make_output_folder(options.output);
     const PacedFields paced = play(recording.fields, options);
     const LatencyFigures figures = latency_figures(paced.latencies_s);

@@ -73,6 +73,7 @@ TEST(RepeatedTimes, CountWhatComesWithinADuration) {
 
 TEST(RepeatedTimes, NeedTwoFields) {
     EXPECT_THROW(RepeatedTimes({1.0}), std::invalid_argument);
+    EXPECT_THROW(RepeatedTimes({1.0, 1.0, 1.0}), std::invalid_argument);
 }
 
 TEST(LatencyFigures, AreTheNearestRanksOfKnownSamples) {

@@ -45,6 +45,7 @@ class LocalMap {
         std::vector<Entry> entries;
     };
 
+    std::size_t place_of(const Eigen::Vector2i& index) const;
     Cell& place(const Eigen::Vector2i& index);
     int log_odds(const Eigen::Vector2i& index) const;
     /// How much it counted: ground that was seen to be free often is no freer than `log_odds_max` says.
@@ -52,7 +53,7 @@ class LocalMap {
     void forget(const Remembered& old);
 
     MapParams params_;
-    int side_;  ///< cells along the edge of the ring
+    int side_;  ///< cells along the edge of the ring, a power of two
     std::vector<Cell> cells_;
     std::deque<Remembered> history_;
     int sets_ = 0;                           ///< number of the newest one

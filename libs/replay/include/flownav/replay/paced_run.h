@@ -9,7 +9,8 @@ namespace flownav {
 /// first one comes again.
 class RepeatedTimes {
   public:
-    /// Rising times; throws std::invalid_argument when there are less than two.
+    /// Rising times; throws std::invalid_argument when there are less than two, or the last is no later than
+    /// the first.
     explicit RepeatedTimes(const std::vector<double>& recorded_s);
 
     std::size_t field(std::uint64_t n) const { return n % after_first_s_.size(); }  ///< of the recording
