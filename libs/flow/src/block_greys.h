@@ -31,7 +31,7 @@ inline BlockSums sums_of(const std::uint8_t* block, std::ptrdiff_t stride) {
     const __m128i zero = _mm_setzero_si128();
     __m128i greys = zero;
     __m128i squares = zero;
-    for (int v = 0; v < block_px; ++v) {
+    for (std::ptrdiff_t v = 0; v < block_px; ++v) {
         const __m128i row = _mm_loadu_si128(reinterpret_cast<const __m128i*>(block + v * stride));
         const __m128i left = _mm_unpacklo_epi8(row, zero);
         const __m128i right = _mm_unpackhi_epi8(row, zero);
@@ -55,7 +55,7 @@ inline GreyBlock shown_block(const std::uint8_t* block, std::ptrdiff_t stride, c
         return _mm_srai_epi16(_mm_add_epi16(scaled, offset), 5);
     };
     GreyBlock result;
-    for (int v = 0; v < block_px; ++v) {
+    for (std::ptrdiff_t v = 0; v < block_px; ++v) {
         const __m128i row = _mm_loadu_si128(reinterpret_cast<const __m128i*>(block + v * stride));
         const __m128i greys =
             _mm_packus_epi16(shown(_mm_unpacklo_epi8(row, zero)), shown(_mm_unpackhi_epi8(row, zero)));
@@ -68,7 +68,7 @@ inline GreyBlock shown_block(const std::uint8_t* block, std::ptrdiff_t stride, c
 
 inline BlockSums sums_of(const std::uint8_t* block, std::ptrdiff_t stride) {
     BlockSums s;
-    for (int v = 0; v < block_px; ++v) {
+    for (std::ptrdiff_t v = 0; v < block_px; ++v) {
         for (int u = 0; u < block_px; ++u) {
             const std::int32_t grey = block[v * stride + u];
             s.greys += grey;
@@ -80,7 +80,7 @@ inline BlockSums sums_of(const std::uint8_t* block, std::ptrdiff_t stride) {
 
 inline GreyBlock shown_block(const std::uint8_t* block, std::ptrdiff_t stride, const GreyMap& map) {
     GreyBlock result;
-    for (int v = 0; v < block_px; ++v)
+    for (std::ptrdiff_t v = 0; v < block_px; ++v)
         for (int u = 0; u < block_px; ++u) result.pixels[v * block_px + u] = map(block[v * stride + u]);
     return result;
 }

@@ -34,8 +34,8 @@ struct Padded {
     std::uint8_t pixels[reached_px * stride] = {};
 
     Padded(const std::uint8_t* window, std::ptrdiff_t window_stride, const SearchRange& range) {
-        const auto width = static_cast<std::size_t>(range.mu_max - range.mu_min + block_px);
-        for (int v = range.nu_min; v < range.nu_max + block_px; ++v) {
+        const auto width = static_cast<std::size_t>(range.mu_max - range.mu_min) + block_px;
+        for (std::ptrdiff_t v = range.nu_min; v < range.nu_max + block_px; ++v) {
             std::memcpy(pixels + (v - search_min) * stride + (range.mu_min - search_min),
                         window + v * window_stride + range.mu_min, width);
         }

@@ -15,7 +15,8 @@ RepeatedTimes::RepeatedTimes(const std::vector<double>& recorded_s) {
 }
 
 double RepeatedTimes::after_start_s(std::uint64_t n) const {
-    return static_cast<double>(n / after_first_s_.size()) * once_s_ + after_first_s_[field(n)];
+    const std::uint64_t played_before = n / after_first_s_.size();
+    return static_cast<double>(played_before) * once_s_ + after_first_s_[field(n)];
 }
 
 std::uint64_t RepeatedTimes::count_within(double duration_s) const {

@@ -99,6 +99,7 @@ class Chain {
 
 PacedFields play(const std::vector<Field>& fields, const RealtimeOptions& options) {
     std::vector<double> times_s;
+    times_s.reserve(fields.size());
     for (const Field& field : fields) times_s.push_back(field.timestamp_s);
     const RepeatedTimes times(times_s);
     Chain chain(options.config);

@@ -7,7 +7,7 @@ namespace {
 
 int sad(const uint8_t* block, const uint8_t* other, ptrdiff_t stride) {
     int sum = 0;
-    for (int v = 0; v < side; ++v) {
+    for (ptrdiff_t v = 0; v < side; ++v) {
         const uint8_t* p = block + v * side;
         const uint8_t* q = other + v * stride;
         for (int u = 0; u < side; ++u) sum += __builtin_abs(p[u] - q[u]);
@@ -20,7 +20,7 @@ int sad(const uint8_t* block, const uint8_t* other, ptrdiff_t stride) {
 void surface_of(const uint8_t* block, ptrdiff_t block_stride, const uint8_t* window, ptrdiff_t window_stride,
                 Surface& surface) {
     uint8_t packed[side * side];
-    for (int v = 0; v < side; ++v) {
+    for (ptrdiff_t v = 0; v < side; ++v) {
         for (int u = 0; u < side; ++u) packed[v * side + u] = block[v * block_stride + u];
     }
     for (int row = 0; row < side; ++row) {

@@ -1,9 +1,9 @@
 #pragma once
 // What every kernel offers to kernel.cpp. Each is compiled for its own instruction set: nothing inline may be
 // shared between them, or the linker could pick a copy that this processor does not understand. So: plain
-// data and declarations only.
-#include <stddef.h>
-#include <stdint.h>
+// data and declarations only; <cstddef> brings inline functions.
+#include <stddef.h>  // NOLINT(modernize-deprecated-headers)
+#include <stdint.h>  // NOLINT(modernize-deprecated-headers)
 
 namespace flownav::kernels {
 
