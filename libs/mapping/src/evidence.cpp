@@ -54,9 +54,9 @@ void add_point(const CellFrame& frame, const Vector2d& p, double p_free_there,
 
 }  // namespace
 
-std::vector<Evidence> evidence_of(const ObstacleSet& set, const Pose2& T_frame_robot,
-                                  const CellFrame& frame) {
-    std::vector<Evidence> evidence;
+void gather_evidence(const ObstacleSet& set, const Pose2& T_frame_robot, const CellFrame& frame,
+                     std::vector<Evidence>& evidence) {
+    evidence.clear();
     for (const ObstaclePoint& point : set.points) {
         if (point.moving) continue;
         const Vector2d p = transform(T_frame_robot, point.position_m.head<2>());
@@ -70,7 +70,6 @@ std::vector<Evidence> evidence_of(const ObstacleSet& set, const Pose2& T_frame_r
     evidence.erase(std::unique(evidence.begin(), evidence.end()), evidence.end());
     const auto is_silent = [](const Evidence& e) { return e.p_free == says_nothing; };
     evidence.erase(std::remove_if(evidence.begin(), evidence.end(), is_silent), evidence.end());
-    return evidence;
 }
 
 }  // namespace flownav

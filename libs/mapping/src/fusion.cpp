@@ -44,7 +44,8 @@ DriveMap::DriveMap(const MapParams& params)
 void DriveMap::insert(const ObstacleSet& set) {
     make_room(grid_, set);
     const CellFrame frame{{grid_.getXMin(), grid_.getYMin()}, grid_.getResolution()};
-    for (const Evidence& e : evidence_of(set, set.T_map_robot, frame))
+    gather_evidence(set, set.T_map_robot, frame, evidence_);
+    for (const Evidence& e : evidence_)
         grid_.updateCell(e.cell.x(), e.cell.y(), static_cast<float>(e.p_free));
 }
 

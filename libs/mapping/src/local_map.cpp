@@ -51,16 +51,19 @@ LocalMap::LocalMap(const MapParams& params)
 void LocalMap::insert(const ObstacleSet& set) {
     while (!history_.empty() && set.timestamp_s - history_.front().timestamp_s > params_.memory_s) {
         forget(history_.front());
-        history_.pop_front();
+        history_.pop();
     }
     const CellFrame frame{Vector2d::Zero(), params_.resolution_m};
     const Vector2i middle = frame.cell_of({set.T_map_robot.x_m, set.T_map_robot.y_m});
-    Remembered remembered{set.timestamp_s, ++sets_, {}};
-    for (const Evidence& e : evidence_of(set, set.T_map_robot, frame)) {
+    gather_evidence(set, set.T_map_robot, frame, evidence_);
+    Remembered& remembered = history_.push();
+    remembered.timestamp_s = set.timestamp_s;
+    remembered.number = ++sets_;
+    remembered.entries.clear();
+    for (const Evidence& e : evidence_) {
         if ((e.cell - middle).cwiseAbs().maxCoeff() >= side_ / 2) continue;
         remembered.entries.push_back({e.cell, add({e.cell, thousandths(e.p_free)})});
     }
-    history_.push_back(std::move(remembered));
     movers_m_.clear();
     for (const ObstaclePoint& point : set.points) {
         if (point.moving) movers_m_.push_back(transform(set.T_map_robot, point.position_m.head<2>()));

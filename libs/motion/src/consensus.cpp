@@ -121,7 +121,8 @@ Support support_of(MotionScratch::Votes& votes, const Turn& turn, double lambda_
 }
 
 bool is_unbeatable(const Consensus& predicted) {
-    return continuity_bonus * predicted.support.cells >= predicted.support.all_cells;
+    const Support& s = predicted.support;
+    return s.cells > 0 && continuity_bonus * s.cells >= s.all_cells;
 }
 
 Consensus find_consensus(MotionScratch& scratch, double background_rad, const MotionPrediction& prediction,

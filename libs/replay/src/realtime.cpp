@@ -88,12 +88,17 @@ class Chain {
         if (step.obstacles.empty() && step.ground.empty()) {  // as the autopilot does it
             map_.redraw(step.T_start_robot);
         } else {
-            map_.insert({step.timestamp_s, step.T_start_robot, step.obstacles, step.ground});
+            set_.timestamp_s = step.timestamp_s;
+            set_.T_map_robot = step.T_start_robot;
+            set_.points = step.obstacles;
+            set_.ground = step.ground;
+            map_.insert(set_);
         }
     }
 
   private:
     pipeline::State state_;
+    ObstacleSet set_;  ///< its memory is used again and again
     LocalMap map_;
 };
 

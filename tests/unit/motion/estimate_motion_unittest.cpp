@@ -164,6 +164,18 @@ TEST(EstimateMotion, WithoutSamplesItIsThePredictionAndNothingIsMeasured) {
     EXPECT_EQ(found.motion.inliers, 0);
 }
 
+TEST(EstimateMotion, AFewVectorsFarApartAreBelievedAgainstAWrongPrediction) {
+    const Pair pair = drive(testing::standard_camera(), 0.4, 20.0, cycle);
+    const std::vector<MotionSample> all = exact_samples(pair);
+    std::vector<MotionSample> few;
+    for (std::size_t i = 0; i < all.size(); i += 60) few.push_back(all[i]);
+    MotionPrediction straight;
+    straight.forward_m = pair.truth.forward_m;
+    MotionScratch scratch;
+    const MotionEstimate found = estimate_motion(few, pair.from.camera, straight, {}, scratch);
+    EXPECT_LT(std::abs(omega_error_degps(pair, found)), 0.1);
+}
+
 TEST(EstimateMotion, TravelComesFromTheNearFloorWhenTheGroundWindowIsEmpty) {
     const Pair pair = drive(testing::standard_camera(), 0.4, 20.0, cycle);
     std::vector<MotionSample> samples = exact_samples(pair);

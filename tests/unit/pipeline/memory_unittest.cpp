@@ -5,6 +5,7 @@
 #include <new>
 
 #include "drives.h"
+#include "flownav/mapping/local_map.h"
 
 namespace {
 
@@ -65,6 +66,29 @@ TEST(Memory, InSteadyStateNothingIsAllocatedPerField) {
         const long made = allocations - before;
         if (i >= 7) {
             EXPECT_EQ(made, 0) << "field " << i;
+        }
+    }
+}
+
+TEST(Memory, InSteadyStateTheLocalMapAllocatesNothing) {
+    LocalMap map({});
+    ObstacleSet set;
+    for (int i = 0; i < 40; ++i) {
+        ObstaclePoint point;
+        point.position_m = {1.0 + 0.05 * i, 0.1 * (i % 7) - 0.3, 0.2};
+        point.sigma_m = 0.03;
+        point.moving = i % 13 == 0;
+        set.points.push_back(point);
+        set.ground.push_back({{0.8, 0.02 * i}, {1.0 + 0.03 * i, 0.05 * i}, 0.2});
+    }
+    for (int i = 0; i < 400; ++i) {
+        set.timestamp_s = 0.1 * i;  // the map's memory is full after 60 of them
+        const long before = allocations;
+        map.insert(set);
+        map.redraw({0.01 * i, 0.0, 0.02 * i});
+        const long made = allocations - before;
+        if (i >= 200) {
+            EXPECT_EQ(made, 0) << "set " << i;
         }
     }
 }

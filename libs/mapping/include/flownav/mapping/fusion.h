@@ -5,6 +5,7 @@
 
 #include "flownav/core/obstacle_point.h"
 #include "flownav/core/pose2.h"
+#include "flownav/mapping/evidence.h"
 #include "flownav/mapping/params.h"
 
 namespace flownav {
@@ -26,6 +27,7 @@ class DriveMap {
     const mrpt::maps::COccupancyGridMap2D& grid() const { return grid_; }
 
   private:
+    std::vector<Evidence> evidence_;  ///< of the newest set
     mrpt::maps::COccupancyGridMap2D grid_;
 };
 

@@ -3,9 +3,9 @@
 #include <mrpt/maps/COccupancyGridMap2D.h>
 
 #include <Eigen/Core>
-#include <deque>
 #include <vector>
 
+#include "flownav/core/recycling_queue.h"
 #include "flownav/mapping/fusion.h"
 #include "flownav/mapping/params.h"
 
@@ -18,7 +18,8 @@ class LocalMap {
   public:
     explicit LocalMap(const MapParams& params);
 
-    /// Adds a set, forgets what is too old, and redraws the grid around set.T_map_robot.
+    /// Adds a set, forgets what is too old, and redraws the grid around set.T_map_robot. Allocates only while
+    /// there is more to remember than ever before.
     void insert(const ObstacleSet& set);
 
     /// Redraws the grid around a robot that has moved on since the last set.
@@ -40,8 +41,8 @@ class LocalMap {
         int log_odds;
     };
     struct Remembered {
-        double timestamp_s;
-        int number;
+        double timestamp_s = 0.0;
+        int number = 0;
         std::vector<Entry> entries;
     };
 
@@ -55,7 +56,8 @@ class LocalMap {
     MapParams params_;
     int side_;  ///< cells along the edge of the ring, a power of two
     std::vector<Cell> cells_;
-    std::deque<Remembered> history_;
+    RecyclingQueue<Remembered> history_;
+    std::vector<Evidence> evidence_;         ///< of the newest set
     int sets_ = 0;                           ///< number of the newest one
     std::vector<Eigen::Vector2d> movers_m_;  ///< of the newest set, map frame
     mrpt::maps::COccupancyGridMap2D grid_;
