@@ -7,6 +7,12 @@ if(NOT CMAKE_BUILD_TYPE)
     set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
 
+# Programs load only the libraries they use, and find the modules that they load later.
+add_link_options(-Wl,--as-needed)
+set(FLOWNAV_MODULE_DIR ${PROJECT_BINARY_DIR}/lib)
+set(CMAKE_BUILD_RPATH ${FLOWNAV_MODULE_DIR})
+set(CMAKE_INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR})
+
 find_program(FLOWNAV_CCACHE ccache)
 if(FLOWNAV_CCACHE)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${FLOWNAV_CCACHE})

@@ -1,14 +1,9 @@
 #pragma once
-#include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <opencv2/core/mat.hpp>
 
+#include "flownav/replay/video_output_file.h"
 #include "view_picture.h"
-
-namespace cv {
-class VideoWriter;
-}
 
 namespace flownav::view {
 
@@ -18,26 +13,21 @@ class Clip {
   public:
     /// The stretch that is marked in the model. Throws OutputError when `file` cannot be written.
     Clip(const ViewModel& model, std::filesystem::path file, const cv::Size& size);
-    ~Clip();
-    Clip(const Clip&) = delete;
-    Clip& operator=(const Clip&) = delete;
 
     /// Shows the next field in the model and adds its picture; false when all have been added.
     bool add_next(ViewModel& model, const Look& look);
 
     /// Completes the file. Throws OutputError when it did not become a whole video, as on a full disk.
-    void close();
+    void close() { file_.close(); }
 
-    std::size_t pictures() const { return pictures_; }
-    const std::filesystem::path& file() const { return file_; }
+    std::size_t pictures() const { return file_.pictures(); }
+    const std::filesystem::path& file() const { return file_.path(); }
 
   private:
-    std::filesystem::path file_;
+    VideoOutputFile file_;
     cv::Size size_;
     std::size_t next_ = 0;
     std::size_t last_ = 0;
-    std::size_t pictures_ = 0;
-    std::unique_ptr<cv::VideoWriter> writer_;
 };
 
 /// Saves a picture as PNG. Throws OutputError.

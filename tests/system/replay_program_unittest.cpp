@@ -482,6 +482,12 @@ TEST_F(ReplayProgram, AFlowFieldFileOverwritesNeitherTheInputNorAResult) {
                    output);
 }
 
+TEST_F(ReplayProgram, WhatEncodesVideosIsNotLoadedWithTheProgram) {
+    const Outcome libraries = testing::run_program("/usr/bin/env", {"ldd", FLOWNAV_REPLAY}, scratch);
+    EXPECT_TRUE(has(libraries.out, "libopencv_core")) << libraries.out;
+    EXPECT_FALSE(has(libraries.out, "libopencv_videoio")) << "18 MB, and 100 libraries of FFmpeg's";
+}
+
 TEST_F(ReplayProgram, AFlowFieldFileOnAFullDiskEndsWithThree) {
     const Outcome outcome = replay(small_rawlog(), {"--quiet", "--flow-field", "/dev/full"});
     EXPECT_EQ(outcome.status, 3);

@@ -40,7 +40,7 @@ LIBRARIES = {
 }
 # Of the language, the processor and the system.
 OF_THE_SYSTEM = re.compile(
-    r"[a-z_]+|\w+intrin\.h|arm_neon\.h|(stddef|stdint)\.h|(fcntl|netdb|poll|sched|unistd)\.h|(netinet|sys)/\w+\.h"
+    r"[a-z_]+|\w+intrin\.h|arm_neon\.h|(stddef|stdint)\.h|(dlfcn|fcntl|netdb|poll|sched|unistd)\.h|(netinet|sys)/\w+\.h"
 )
 
 

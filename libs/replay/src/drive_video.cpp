@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
 #include <string>
 
 #include "flownav/replay/annotated_field.h"
 #include "flownav/replay/number_text.h"
-#include "flownav/replay/output_file.h"
 
 namespace flownav {
 
@@ -59,11 +57,7 @@ cv::Mat composed(const cv::Size& size, const cv::Mat& field, const cv::Mat& map,
 }  // namespace
 
 DriveVideo::DriveVideo(std::filesystem::path file, double map_size_m)
-    : file_(std::move(file)), map_size_m_(map_size_m), writer_(std::make_unique<cv::VideoWriter>()) {
-    write_file(file_, "");  // says at once, and why, when it cannot be written
-}
-
-DriveVideo::~DriveVideo() = default;
+    : file_(std::move(file), rate_hz), map_size_m_(map_size_m) {}
 
 void DriveVideo::remember(const pipeline::Step& step) {
     const Pose2& pose = step.T_start_robot;
@@ -100,24 +94,8 @@ void DriveVideo::write(const Field& field, const pipeline::Step& step,
 }
 
 void DriveVideo::put() {
-    if (!writer_->isOpened() && !writer_->open(file_.string(), cv::VideoWriter::fourcc('a', 'v', 'c', '1'),
-                                               rate_hz, picture_.size())) {
-        throw OutputError("cannot write " + file_.string() + ": OpenCV has no H.264 encoder for it");
-    }
-    writer_->write(picture_);
-    ++frames_;
+    file_.write(picture_);
     due_s_ += period_s;
-}
-
-void DriveVideo::close() {
-    writer_->release();
-    if (frames_ == 0) return;
-    // OpenCV reports no error while it writes; a cut video cannot be opened, or counts too few pictures.
-    cv::VideoCapture check(file_.string(), cv::CAP_FFMPEG);
-    const bool whole =
-        check.isOpened() && check.get(cv::CAP_PROP_FRAME_COUNT) == static_cast<double>(frames_);
-    if (!whole)
-        throw OutputError("cannot write " + file_.string() + ": the video is not whole; is the disk full?");
 }
 
 }  // namespace flownav

@@ -3,16 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
-#include <optional>
 
 #include "flownav/core/field.h"
 #include "flownav/pipeline/step.h"
 #include "flownav/replay/map_window.h"
-
-namespace cv {
-class VideoWriter;
-}
+#include "flownav/replay/video_output_file.h"
 
 namespace flownav {
 
@@ -26,26 +21,22 @@ class DriveVideo {
 
     /// Shows map_size_m metres of the map. Throws OutputError when `file` cannot be written.
     DriveVideo(std::filesystem::path file, double map_size_m);
-    ~DriveVideo();
-    DriveVideo(const DriveVideo&) = delete;
-    DriveVideo& operator=(const DriveVideo&) = delete;
 
     /// Adds the pictures that are due. Fields come with rising time stamps.
     void write(const Field& field, const pipeline::Step& step, const mrpt::maps::COccupancyGridMap2D& map);
 
     /// Completes the file. Throws OutputError when it did not become a whole video, as on a full disk.
-    void close();
+    void close() { file_.close(); }
 
     /// Pictures written so far.
-    std::uint64_t frames() const { return frames_; }
+    std::uint64_t frames() const { return file_.pictures(); }
 
   private:
     void remember(const pipeline::Step& step);
     void put();
 
-    std::filesystem::path file_;
+    VideoOutputFile file_;
     double map_size_m_;
-    std::unique_ptr<cv::VideoWriter> writer_;
     MapWindowScene scene_;
     double driven_m_ = 0.0;
     double start_s_ = 0.0;
@@ -53,7 +44,6 @@ class DriveVideo {
     double due_s_ = 0.0;
     cv::Size canvas_px_;  ///< decided by the first field
     cv::Mat picture_;
-    std::uint64_t frames_ = 0;
 };
 
 }  // namespace flownav
