@@ -44,20 +44,18 @@ RayMapper::RayMapper(const CameraModel& camera)
     : camera_(camera),
       R_level_camera_(level_rotation(camera.mount)),
       distorted_(camera.distortion != std::array<double, 5>{}),
-      rotated_(camera.mount.roll_rad != 0.0 || camera.mount.yaw_rad != 0.0) {}
+      rotated_(camera.mount.roll_rad != 0.0 || camera.mount.yaw_rad != 0.0),
+      plain_(!distorted_ && !rotated_) {}
 
-Vector2d RayMapper::ray(const Vector2d& pixel_px) const {
-    Vector2d p((pixel_px.x() - camera_.cx_px) / camera_.fx_px,
-               (pixel_px.y() - camera_.cy_px) / camera_.fy_px);
-    if (distorted_) p = undistort(p, camera_.distortion);
-    if (!rotated_) return p;
-    return (R_level_camera_ * p.homogeneous()).hnormalized();
+Vector2d RayMapper::levelled(const Vector2d& mounted) const {
+    const Vector2d p = distorted_ ? undistort(mounted, camera_.distortion) : mounted;
+    return rotated_ ? Vector2d((R_level_camera_ * p.homogeneous()).hnormalized()) : p;
 }
 
-Vector2d RayMapper::pixel(const Vector2d& ray) const {
-    Vector2d p = rotated_ ? Vector2d((R_level_camera_.transpose() * ray.homogeneous()).hnormalized()) : ray;
-    if (distorted_) p = distort(p, camera_.distortion);
-    return {camera_.fx_px * p.x() + camera_.cx_px, camera_.fy_px * p.y() + camera_.cy_px};
+Vector2d RayMapper::mounted(const Vector2d& levelled) const {
+    const Vector2d p =
+        rotated_ ? Vector2d((R_level_camera_.transpose() * levelled.homogeneous()).hnormalized()) : levelled;
+    return distorted_ ? distort(p, camera_.distortion) : p;
 }
 
 Eigen::Matrix3d level_rotation(const CameraMount& m) {

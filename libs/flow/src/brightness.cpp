@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "block_greys.h"
+#include "flownav/core/order_statistic.h"
 
 namespace flownav {
 namespace {
@@ -13,7 +14,8 @@ constexpr double block_pixels = static_cast<double>(block_px) * block_px;
 constexpr double gain_max = 2.0;      // either way; beyond that little is left of an 8-bit image
 constexpr double variance_min = 1.0;  // grey levels squared; below there is nothing to tell a gain from
 constexpr int rounds = 3;
-constexpr double kept_share = 0.7;  // of the blocks, those that follow the others best
+constexpr std::size_t blocks_max = 192;  // the first ones: any number of them covers the image evenly
+constexpr double kept_share = 0.7;       // of the blocks, those that follow the others best
 
 bool inside(const Eigen::Vector2i& corner_px, const ImageView& image) {
     return corner_px.x() >= 0 && corner_px.y() >= 0 && corner_px.x() + block_px <= image.width_px &&
@@ -23,7 +25,8 @@ bool inside(const Eigen::Vector2i& corner_px, const ImageView& image) {
 void collect(const ImageView& reference, const ImageView& newer, const BlockLayout& layout,
              const std::vector<Eigen::Vector2i>& bias_px, GreySums& sums) {
     for (auto* numbers : {&sums.reference, &sums.reference2, &sums.newer, &sums.newer2}) numbers->clear();
-    for (std::size_t i = 0; i < layout.size(); ++i) {
+    const std::size_t blocks = std::min(layout.size(), blocks_max);
+    for (std::size_t i = 0; i < blocks; ++i) {
         const Eigen::Vector2i& corner_px = layout.corner_px[i];
         const Eigen::Vector2i expected_px = corner_px + bias_px[i];
         if (!inside(expected_px, newer)) continue;
@@ -67,10 +70,8 @@ double difference_of_kept(const Brightness& b, GreySums& sums) {
         sums.difference[i] = std::abs(sums.newer[i] - b.gain * sums.reference[i] - b.offset * block_pixels);
     sums.sorted = sums.difference;
     const auto kept =
-        static_cast<std::ptrdiff_t>(std::ceil(kept_share * static_cast<double>(sums.sorted.size())));
-    const auto last = sums.sorted.begin() + (kept - 1);
-    std::nth_element(sums.sorted.begin(), last, sums.sorted.end());
-    return *last;
+        static_cast<std::size_t>(std::ceil(kept_share * static_cast<double>(sums.sorted.size())));
+    return nth_smallest(sums.sorted, kept - 1);
 }
 
 }  // namespace

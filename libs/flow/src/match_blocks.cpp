@@ -8,23 +8,25 @@
 namespace flownav {
 namespace {
 
+/// `block`: its top left pixel in the reference, `window`: the pixel at offset (0, 0) in the newer image.
+BlockMatch match_of(const std::uint8_t* block, std::ptrdiff_t stride, const std::uint8_t* window,
+                    std::ptrdiff_t window_stride, const SearchRange& range, const MatchKernel& match,
+                    const GreyMap& greys) {
+    if (greys.is_identity()) return match(block, stride, window, window_stride, range);
+    const GreyBlock shown = shown_block(block, stride, greys);
+    return match(shown.pixels.data(), block_px, window, window_stride, range);
+}
+
 FlowVector match_one(const ImageView& reference, const ImageView& newer, const Eigen::Vector2i& corner_px,
                      const Eigen::Vector2i& bias_px, const MatchSettings& settings, const GreyMap& greys) {
     FlowVector vector;
     vector.at_px = corner_px.cast<double>().array() + (block_px - 1) / 2.0;
     const SearchRange range = clipped_range(corner_px, bias_px, newer);
     if (range.empty()) return vector;
-    const Eigen::Vector2i window = corner_px + bias_px;
-    const std::uint8_t* first = newer.data + window.y() * newer.stride_bytes + window.x();
-    BlockMatch match;
-    if (greys.is_identity()) {
-        const std::uint8_t* block = reference.row(corner_px.y()) + corner_px.x();
-        match = settings.kernel->match(block, reference.stride_bytes, first, newer.stride_bytes, range);
-    } else {
-        const GreyBlock block =
-            shown_block(reference.row(corner_px.y()) + corner_px.x(), reference.stride_bytes, greys);
-        match = settings.kernel->match(block.pixels.data(), block_px, first, newer.stride_bytes, range);
-    }
+    const Eigen::Vector2i at = corner_px + bias_px;
+    const BlockMatch match =
+        match_of(reference.row(corner_px.y()) + corner_px.x(), reference.stride_bytes,
+                 newer.row(at.y()) + at.x(), newer.stride_bytes, range, settings.kernel->match, greys);
     vector.flow_px = bias_px.cast<double>() + refined_offset_px(match, settings.subpixel);
     vector.sigma_px = sigma_px_of(match);
     vector.confidence = confidence_of(match);

@@ -3,6 +3,14 @@
 #include <cmath>
 
 namespace flownav {
+namespace {
+
+/// std::lround() without a call of the library.
+int nearest(double value) {
+    return static_cast<int>(value + std::copysign(0.5, value));
+}
+
+}  // namespace
 
 BlockMatcher::BlockMatcher(const FlowParams& params, int threads, const KernelEntry& kernel)
     : params_(params) {
@@ -15,7 +23,8 @@ void BlockMatcher::operator()(const ImageView& reference, const ImageView& newer
                               const std::vector<Eigen::Vector2d>& predicted_px,
                               std::vector<FlowVector>& vectors) {
     bias_px_.resize(layout.size());
-    for (std::size_t i = 0; i < layout.size(); ++i) bias_px_[i] = predicted_px[i].array().round().cast<int>();
+    for (std::size_t i = 0; i < layout.size(); ++i)
+        bias_px_[i] = {nearest(predicted_px[i].x()), nearest(predicted_px[i].y())};
     settings_.brightness = {};
     if (params_.brightness == BrightnessModel::Image)
         settings_.brightness = compare_brightness(reference, newer, layout, bias_px_, sums_);

@@ -16,15 +16,4 @@ RayFlow ray_flow(const FlowVector& vector, const Vector2d& begin, const RayMappe
             vector.sigma_px.cwiseProduct(one_pixel(reference.camera()))};
 }
 
-Vector2d GroundFlow::operator()(const Vector2d& at) const {
-    Vector2d flow = Vector2d::Zero();
-    for (int i = 0; i < 3; ++i) {  // the mid-point depends on the vector: three rounds settle it
-        const Vector2d mid = at + flow / 2;
-        // Eq. (3)
-        flow = plane_.ground_inverse_depth(mid) * plane_.e(mid, travel_) + omega_rad_ * plane_.h(mid) +
-               pitch_rad_ * PlaneGeometry::p(mid);
-    }
-    return flow;
-}
-
 }  // namespace flownav

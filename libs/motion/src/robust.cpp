@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flownav/core/order_statistic.h"
+
 namespace flownav {
 
 double shorth(std::vector<double>& values) {
@@ -21,9 +23,7 @@ double shorth(std::vector<double>& values) {
 double robust_deviation(std::vector<double>& values) {
     if (values.empty()) return 0.0;
     for (double& v : values) v = std::abs(v);
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return 1.4826 * *middle;
+    return 1.4826 * nth_smallest(values, values.size() / 2);
 }
 
 double biweight(double residual) {

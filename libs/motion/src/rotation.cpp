@@ -87,15 +87,14 @@ void set_up_rotation(const std::vector<MotionSample>& samples, const CameraModel
         const RayFlow travel = derotated(s.ray);
         const Vector2d e = plane.e(travel.at, direction);
         if (e.squaredNorm() < 1e-12) continue;
-        // The deviation of the cross product with e, and one pixel in it.
-        const double unit = Vector2d(e.y() * s.ray.sigma.x(), e.x() * s.ray.sigma.y()).norm();
-        const double unit_of_px = Vector2d(e.y() * one_px.x(), e.x() * one_px.y()).norm();
+        const double weight = 1.0 / deviation_of_cross(e, s.ray.sigma);
         MotionScratch::Across row;
-        row.turn = cross(e, plane.h(travel.at)) / unit;
-        row.pitch = cross(e, PlaneGeometry::p(travel.at)) / unit;
-        row.measured = cross(e, travel.flow) / unit + row.turn * near.omega_rad + row.pitch * near.pitch_rad;
+        row.turn = cross(e, plane.h(travel.at)) * weight;
+        row.pitch = cross(e, PlaneGeometry::p(travel.at)) * weight;
+        row.measured =
+            cross(e, travel.flow) * weight + row.turn * near.omega_rad + row.pitch * near.pitch_rad;
         row.weight = 1.0;
-        row.deviation_px = unit / unit_of_px;
+        row.deviation_px = 1.0 / (weight * deviation_of_cross(e, one_px));
         row.at = s.ray.at;
         scratch.across.push_back(row);
     }

@@ -99,7 +99,8 @@ std::string TcpSocket::receive() const {
         if (size < 0 && errno == EINTR) continue;
         if (size < 0 && errno == EAGAIN) return bytes;
         if (!bytes.empty()) return bytes;  // first what came before the end
-        if (size == 0) throw RobotError("the other side closed the connection");
+        // Reset: closed with something of ours unread.
+        if (size == 0 || errno == ECONNRESET) throw RobotError("the other side closed the connection");
         fail("cannot receive");
     }
 }

@@ -27,26 +27,25 @@ Judgement judge(const RayFlow& travel, const JudgedMotion& motion, const Obstacl
     const Vector2d& d = travel.flow;
     Judgement j;
     j.at = travel.at;
-    const double length = e.norm();
+    const double length2 = e.squaredNorm();
     j.fate = BlockFate::Unjudged;
-    if (length < 1e-9) return j;
+    if (length2 < 1e-18) return j;
     j.measured = true;
     j.drift = d;
     j.drift_sigma = motion.noise_factor * travel.sigma.maxCoeff();
-    const double one_px = deviation_along(e, motion.pixel);
     // Eq. (10), with the travel inside e
-    j.inverse_depth = e.dot(d) / (length * length);
-    const double deviation = motion.noise_factor * deviation_along(e, travel.sigma);
-    j.sigma = deviation / length;
-    // Eq. (13)
+    j.inverse_depth = e.dot(d) / length2;
+    j.sigma = motion.noise_factor * deviation_of_dot(e, travel.sigma) / length2;
+    // Eq. (13), and pixels along e instead of inverse depths
     const double ground = motion.plane.ground_inverse_depth(travel.at);
-    j.excess_px = (j.inverse_depth - ground) * length / one_px;
+    const double pixels = length2 / deviation_of_dot(e, motion.pixel);
+    j.excess_px = (j.inverse_depth - ground) * pixels;
     // What the vector's own error and a speed that is not known well could explain of the excess.
-    const double ground_px = ground * length / one_px;
+    const double ground_px = ground * pixels;
     const double tau_px =
-        std::max(params.tau_px, significance * deviation / one_px) + 2.0 * motion.travel_error * ground_px;
+        std::max(params.tau_px, significance * j.sigma * pixels) + 2.0 * motion.travel_error * ground_px;
     // Eq. (11)
-    j.across_px = std::abs(cross(e, d)) / (length * deviation_across(e, motion.pixel));
+    j.across_px = std::abs(cross(e, d)) / deviation_of_cross(e, motion.pixel);
     if (j.across_px >= params.lambda_px || e.dot(d) <= 0.0) {
         j.fate = BlockFate::Eliminated;
     } else if (j.excess_px > tau_px) {

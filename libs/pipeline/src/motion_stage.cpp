@@ -133,8 +133,9 @@ void accept_motion(Impl& s, bool is_credible, const MotionPrediction& prediction
     out.counts.ground_window = measured.ground_window;
     const Derotation derotation(PlaneGeometry(s.reference.field.camera.mount), out.motion.omega_rad,
                                 out.motion.pitch_rad, s.params.motion.geometry);
-    const double noise_factor = s.measured.estimate.noise_factor;
-    s.cycle.push_back({out.motion, derotation, {s.reference.field.camera, out.motion, noise_factor}});
+    const JudgedMotion judged(s.reference.field.camera, out.motion, s.measured.estimate.noise_factor);
+    s.cycle.push_back(
+        {out.motion, derotation, judged, along_arc(0.5 * out.motion.omega_rad, 0.5 * out.motion.forward_m)});
 }
 
 void publish_motion(Impl& s, double since_last_s) {

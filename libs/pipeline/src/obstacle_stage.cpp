@@ -11,11 +11,6 @@ using Eigen::Vector2d;
 
 constexpr double persisting_share = 0.4;  // of a region's blocks moved in the last cycle as well
 
-/// Pose of the robot `share` of the way through a motion, in the frame where it began.
-Pose2 part_of(const EgoMotion& motion, double share) {
-    return along_arc(share * motion.omega_rad, share * motion.forward_m);
-}
-
 double relative_travel_error(const EgoMotion& motion) {
     return motion.sigma_forward_m / std::max(std::abs(motion.forward_m), 1e-6);
 }
@@ -101,18 +96,18 @@ void publish_movers(State::Impl& s) {
 }  // namespace
 
 void publish_obstacles(State::Impl& s) {
-    const Pose2 T_end_reference = inverse(part_of(s.cycle.back().motion, 1.0));
+    const EgoMotion& whole = s.cycle.back().motion;
+    const Pose2 T_end_reference = inverse(along_arc(whole.omega_rad, whole.forward_m));
     const CameraMount& mount = s.reference.field.camera.mount;
     Step& out = s.step;
     for (std::size_t i = 0; i < s.layout.size(); ++i) {
         const BlockRecord& block = out.blocks[i];
         if (block.image_of_cycle == 0) continue;
-        const EgoMotion& motion = s.cycle[block.image_of_cycle - 1].motion;
         if (block.fate == BlockFate::Obstacle) {
-            const Pose2 T_end_mid = compose(T_end_reference, part_of(motion, 0.5));
-            const auto point =
-                obstacle_point(s.judgements[i], block.vector.at_px + block.vector.flow_px, T_end_mid, mount,
-                               relative_travel_error(motion), s.params.obstacles);
+            const ImageOfCycle& image = s.cycle[block.image_of_cycle - 1];
+            const auto point = obstacle_point(s.judgements[i], block.vector.at_px + block.vector.flow_px,
+                                              compose(T_end_reference, image.T_reference_mid), mount,
+                                              relative_travel_error(image.motion), s.params.obstacles);
             if (point) out.obstacles.push_back(*point);
         } else if (block.fate == BlockFate::Ground) {
             const auto patch = ground_patch(block.vector.at_px, s.reference.mapper, T_end_reference,

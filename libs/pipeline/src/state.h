@@ -14,6 +14,7 @@ struct ImageOfCycle {
     EgoMotion motion;
     Derotation derotation;
     JudgedMotion judged;
+    Pose2 T_reference_mid;  ///< half-way, where the vectors are evaluated
 };
 
 /// Rates that predict the next motion.

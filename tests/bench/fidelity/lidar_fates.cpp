@@ -54,7 +54,7 @@ double excess_px(const RayMapper& mapper, const Vector2d& centre_px, const Vecto
     const Vector2d e = plane.e(at);
     const double depth_m = (robot_from_level(camera.mount).inverse() * at_m).z();
     const double excess = motion.forward_m * (1.0 / depth_m - plane.ground_inverse_depth(at)) * e.norm();
-    return excess / deviation_along(e, one_pixel(camera));
+    return excess * e.norm() / deviation_of_dot(e, one_pixel(camera));
 }
 
 }  // namespace

@@ -140,10 +140,11 @@ TEST(PlaneGeometry, NothingOfTheGroundIsSeenFromTheHorizonUpward) {
 
 TEST(Deviation, IsTakenAlongAndAcrossADirection) {
     const Vector2d sigma(0.3, 0.1);
-    EXPECT_NEAR(deviation_along({2, 0}, sigma), 0.3, 1e-12);
-    EXPECT_NEAR(deviation_across({2, 0}, sigma), 0.1, 1e-12);
-    EXPECT_NEAR(deviation_along({0, -3}, sigma), 0.1, 1e-12);
-    EXPECT_NEAR(deviation_along({1, 1}, sigma), std::sqrt((0.09 + 0.01) / 2), 1e-12);
+    EXPECT_NEAR(deviation_of_dot({2, 0}, sigma), 2 * 0.3, 1e-12);
+    EXPECT_NEAR(deviation_of_cross({2, 0}, sigma), 2 * 0.1, 1e-12);
+    EXPECT_NEAR(deviation_of_dot({0, -3}, sigma), 3 * 0.1, 1e-12);
+    EXPECT_NEAR(deviation_of_cross({0, -3}, sigma), 3 * 0.3, 1e-12);
+    EXPECT_NEAR(deviation_of_dot({1, 1}, sigma), std::sqrt(0.09 + 0.01), 1e-12);
 }
 
 TEST(Deviation, OnePixelOfAFieldIsTwiceAsHighAsWide) {

@@ -180,6 +180,17 @@ TEST(TcpRobot, ALostConnectionIsAnErrorThatSaysWhatToDo) {
     EXPECT_NE(error.find("stops by itself"), std::string::npos) << error;
 }
 
+TEST(TcpSocket, AConnectionThatIsClosedWithBytesUnreadIsClosed) {
+    const TcpListener listener(0);
+    const TcpSocket socket("127.0.0.1", std::to_string(listener.port()), 30.0);
+    socket.send("nobody reads this");
+    ASSERT_TRUE(listener.wait(30.0));
+    EXPECT_TRUE(listener.accept().wait(30.0));
+    socket.wait(30.0);
+    const std::string error = error_of([&] { socket.receive(); });
+    EXPECT_NE(error.find("closed the connection"), std::string::npos) << error;
+}
+
 TEST(TcpRobot, ASilentBaseIsLost) {
     const Scripted base("hello flownav-base 1 300\nodometry 1 2");  // half a line, for ever
     TcpRobotParams params;

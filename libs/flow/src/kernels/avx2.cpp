@@ -21,14 +21,19 @@ __m128i load(const uint8_t* from) {
     return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
 }
 
+/// Of a row of 32 bytes, the last of which does not count.
+void cut(const __m256i& row, __m256i (&pieces)[2]) {
+    pieces[0] = _mm256_permute4x64_epi64(row, 0b10'01'01'00);
+    pieces[1] = _mm256_permute4x64_epi64(row, 0b11'10'10'01);
+}
+
 void cut(const uint8_t* window, ptrdiff_t stride, Pieces& pieces) {
-    for (int v = 0; v < reached_px; ++v) {
-        const uint8_t* row = window + v * stride;
-        const __m128i middle = load(row + 8);
-        const __m128i end = _mm_srli_si128(load(row + 15), 1);  // the 32nd byte may be no memory of ours
-        pieces.row[v][0] = _mm256_set_m128i(middle, load(row));
-        pieces.row[v][1] = _mm256_set_m128i(end, middle);
-    }
+    constexpr int last = reached_px - 1;
+    for (int v = 0; v < last; ++v)
+        cut(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(window + v * stride)), pieces.row[v]);
+    // Behind the last row may be no memory of ours.
+    const __m128i end = _mm_srli_si128(load(window + last * stride + 15), 1);
+    cut(_mm256_set_m128i(end, load(window + last * stride)), pieces.row[last]);
 }
 
 /// Eight rows of offsets: as many sums as there is room for in the registers.

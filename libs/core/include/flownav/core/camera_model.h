@@ -37,18 +37,30 @@ class RayMapper {
     explicit RayMapper(const CameraModel& camera);
 
     /// Level normalised coordinates of pixel (u, v).
-    Eigen::Vector2d ray(const Eigen::Vector2d& pixel_px) const;
+    Eigen::Vector2d ray(const Eigen::Vector2d& pixel_px) const {
+        const Eigen::Vector2d p((pixel_px.x() - camera_.cx_px) / camera_.fx_px,
+                                (pixel_px.y() - camera_.cy_px) / camera_.fy_px);
+        return plain_ ? p : levelled(p);
+    }
 
     /// Pixel that level normalised coordinates fall on; inverse of ray() inside the image.
-    Eigen::Vector2d pixel(const Eigen::Vector2d& ray) const;
+    Eigen::Vector2d pixel(const Eigen::Vector2d& ray) const {
+        const Eigen::Vector2d p = plain_ ? ray : mounted(ray);
+        return {camera_.fx_px * p.x() + camera_.cx_px, camera_.fy_px * p.y() + camera_.cy_px};
+    }
 
     const CameraModel& camera() const { return camera_; }
 
   private:
+    /// Between what lens and mount make of normalised coordinates, and level ones.
+    Eigen::Vector2d levelled(const Eigen::Vector2d& mounted) const;
+    Eigen::Vector2d mounted(const Eigen::Vector2d& levelled) const;
+
     CameraModel camera_;
     Eigen::Matrix3d R_level_camera_ = Eigen::Matrix3d::Identity();
     bool distorted_ = false;
     bool rotated_ = false;
+    bool plain_ = true;  ///< neither
 };
 
 /// Rotation from the mounted camera's axes to those of the level camera, which has the same pitch and neither

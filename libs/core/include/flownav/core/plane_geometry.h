@@ -27,18 +27,18 @@ inline Eigen::Vector2d camera_travel(const CameraMount& mount, double forward_m,
 struct PlaneGeometry {
     double a = 1.0;
     double b = 0.0;
-    double height_m = 0.0;
+    double per_height = 0.0;  ///< 1/H
 
     PlaneGeometry() = default;
     explicit PlaneGeometry(const CameraMount& mount)
-        : a(std::cos(mount.pitch_rad)), b(std::sin(mount.pitch_rad)), height_m(mount.height_m) {}
+        : a(std::cos(mount.pitch_rad)), b(std::sin(mount.pitch_rad)), per_height(1.0 / mount.height_m) {}
 
     /// a y + b: H over the ground's depth; 0 on the horizon, negative above it.
     double below_horizon(const Eigen::Vector2d& at) const { return a * at.y() + b; }
 
     /// Eq. (8), as 1/Z of the ground: 0 on the horizon and above.
     double ground_inverse_depth(const Eigen::Vector2d& at) const {
-        return std::max(0.0, below_horizon(at)) / height_m;
+        return std::max(0.0, below_horizon(at)) * per_height;
     }
 
     /// Flow of a camera that moves by `travel` = (forward, leftward), times the depth: the field e of Eq. (3)
@@ -56,18 +56,18 @@ struct PlaneGeometry {
     static Eigen::Vector2d p(const Eigen::Vector2d& at) { return {at.x() * at.y(), at.y() * at.y() + 1.0}; }
 };
 
-/// Standard deviation of a vector along `direction` when its components x and y have the deviations `sigma`.
-inline double deviation_along(const Eigen::Vector2d& direction, const Eigen::Vector2d& sigma) {
-    return direction.cwiseProduct(sigma).norm() / direction.norm();
+/// Standard deviation of e.dot(d) when the components x and y of d have the deviations `sigma`.
+inline double deviation_of_dot(const Eigen::Vector2d& e, const Eigen::Vector2d& sigma) {
+    return e.cwiseProduct(sigma).norm();
 }
 
-/// The same across `direction`.
-inline double deviation_across(const Eigen::Vector2d& direction, const Eigen::Vector2d& sigma) {
-    return Eigen::Vector2d(direction.y() * sigma.x(), direction.x() * sigma.y()).norm() / direction.norm();
+/// The same of cross(e, d).
+inline double deviation_of_cross(const Eigen::Vector2d& e, const Eigen::Vector2d& sigma) {
+    return Eigen::Vector2d(e.y() * sigma.x(), e.x() * sigma.y()).norm();
 }
 
-/// One pixel on the normalised plane, in x and y: with deviation_along() and deviation_across() the measure
-/// in which tau and lambda are meant.
+/// One pixel on the normalised plane, in x and y: as the `sigma` above the measure in which tau and lambda
+/// are meant.
 inline Eigen::Vector2d one_pixel(const CameraModel& camera) {
     return {1.0 / camera.fx_px, 1.0 / camera.fy_px};
 }

@@ -51,9 +51,9 @@ struct GreySums {
 
 /// Compares the blocks of the reference with the places where they are expected in the newer image
 /// (`bias_px` further, one per block): gain from the deviations of all their pixels, offset from the means.
-/// Being statistics they need no alignment: a wrong expectation costs precision, not truth. Blocks that do
-/// not follow the others (something moved in, a highlight) are left out. No change where nothing can be
-/// compared. Allocates only when `sums` has to grow.
+/// Being statistics they need no alignment: a wrong expectation costs precision, not truth. The first
+/// 192 blocks are enough: more say the same. Blocks that do not follow the others (something moved in, a
+/// highlight) are left out. No change where nothing can be compared. Allocates only when `sums` has to grow.
 Brightness compare_brightness(const ImageView& reference, const ImageView& newer, const BlockLayout& layout,
                               const std::vector<Eigen::Vector2i>& bias_px, GreySums& sums);
 

@@ -40,7 +40,7 @@ struct MotionScratch {
     std::vector<OmegaSample> omegas;
     std::vector<Across> across;
     Votes votes;
-    std::vector<Along> along;
+    std::vector<Along> floor, window;
     std::vector<double> values;
 };
 

@@ -36,7 +36,16 @@ class GroundFlow {
           pitch_rad_(motion.pitch_rad) {}
 
     /// `at`: in the reference.
-    Eigen::Vector2d operator()(const Eigen::Vector2d& at) const;
+    Eigen::Vector2d operator()(const Eigen::Vector2d& at) const {
+        Eigen::Vector2d flow = Eigen::Vector2d::Zero();
+        for (int i = 0; i < 3; ++i) {  // the mid-point depends on the vector: three rounds settle it
+            const Eigen::Vector2d mid = at + flow / 2;
+            // Eq. (3)
+            flow = plane_.ground_inverse_depth(mid) * plane_.e(mid, travel_) + omega_rad_ * plane_.h(mid) +
+                   pitch_rad_ * PlaneGeometry::p(mid);
+        }
+        return flow;
+    }
 
   private:
     PlaneGeometry plane_;
