@@ -37,7 +37,7 @@ cv::Size canvas_size(const cv::Mat& field) {
 }
 
 /// Puts a picture at the left top of an area, made smaller where it is too large.
-void paste(cv::Mat area, cv::Mat picture) {
+void paste(const cv::Mat& area, cv::Mat picture) {
     const double fit = std::min({1.0, 1.0 * area.cols / picture.cols, 1.0 * area.rows / picture.rows});
     if (fit < 1.0) cv::resize(picture, picture, {}, fit, fit, cv::INTER_AREA);
     const cv::Size size(std::min(picture.cols, area.cols), std::min(picture.rows, area.rows));

@@ -53,7 +53,7 @@ void eight_rows(const uint8_t* block, ptrdiff_t stride, const __m256i (*pieces)[
             sums[nu] = _mm256_add_epi16(sums[nu], _mm256_add_epi16(half, other));
         }
     }
-    for (int nu = 0; nu < 8; ++nu)
+    for (ptrdiff_t nu = 0; nu < 8; ++nu)
         _mm256_store_si256(reinterpret_cast<__m256i*>(costs + nu * side), sums[nu]);
 }
 
@@ -64,7 +64,7 @@ void surface_of(const uint8_t* block, ptrdiff_t block_stride, const uint8_t* win
     Pieces pieces;
     cut(window, window_stride, pieces);
     eight_rows(block, block_stride, pieces.row, surface.cost);
-    eight_rows(block, block_stride, pieces.row + 8, surface.cost + 8 * side);
+    eight_rows(block, block_stride, pieces.row + 8, surface.cost + ptrdiff_t{8} * side);
 }
 
 Summary summary_of(const Surface& surface) {
