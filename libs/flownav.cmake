@@ -25,6 +25,8 @@ target_compile_options(flownav_options INTERFACE -Wall -Wextra -Wpedantic -Wshad
 if(FLOWNAV_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
     add_link_options(-fsanitize=address,undefined)
+    # Their dlopen() stands between a program and its modules, and knows no RUNPATH but its own.
+    add_link_options(-Wl,--disable-new-dtags)
 endif()
 if(FLOWNAV_TIDY)
     find_program(FLOWNAV_CLANG_TIDY clang-tidy REQUIRED)
