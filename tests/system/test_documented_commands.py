@@ -94,7 +94,9 @@ class Reader:
                                    stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                    start_new_session=True)
         try:
-            self.run(f"timeout {SECONDS_TO_SHOW_A_WINDOW} xdotool search --sync --onlyvisible --name '{title}'")
+            # xdotool gives up when a window vanishes while it looks at all of them, as those of a start do.
+            look = f'xdotool search --sync --onlyvisible --name "{title}"'
+            self.run(f"timeout {SECONDS_TO_SHOW_A_WINDOW} sh -c 'until {look}; do :; done'")
             if program.poll() is not None:
                 raise AssertionError(f"ended early: {command}")
         finally:
