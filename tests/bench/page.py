@@ -176,8 +176,8 @@ def realtime(latencies):
     return """## Latency
 
 `flownav-replay --realtime`: fields at their times, beside a process that keeps a core busy; from the arrival of a field
-until the local map was ready. "fifo": run by `chrt -f 10`, before all that is not as urgent. The recording lasts three
-minutes and is played again and again; where it begins anew the view jumps, and a search takes some milliseconds.
+until the local map was ready. "fifo": run by `chrt -f 10`, before all that is not as urgent. A recording shorter than
+the run is played again and again; where it begins anew the view jumps, and a search takes some milliseconds.
 
 """ + table(["scheduling", "fields", "dropped", "median (ms)", "99 % (ms)", "99.9 % (ms)", "worst (ms)"], rows)
 
