@@ -19,12 +19,13 @@ inline void apply_settings(Config& config, const std::vector<std::string>& setti
     }
 }
 
-/// The defaults, then the values of --config, where there is one, then those of each --set section.key=value.
-/// Throws ConfigError, for FLOWNAV_KERNEL too.
-inline Config configuration(const std::string& file, const std::vector<std::string>& settings) {
-    Config config;
+/// The values of `config`, then those of --config, where there is one, then those of each --set
+/// section.key=value. Throws ConfigError, for FLOWNAV_KERNEL too.
+inline Config configuration(const std::string& file, const std::vector<std::string>& settings,
+                            Config config = {}) {
     if (!file.empty()) load_config_file(config, file);
     apply_settings(config, settings);
+    check_map(config);
     try {
         default_kernel();
     } catch (const std::runtime_error& error) {

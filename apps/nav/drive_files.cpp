@@ -1,9 +1,8 @@
 #include "drive_files.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
-
-#include "flownav/replay/number_text.h"
 
 namespace flownav {
 namespace {
@@ -14,14 +13,6 @@ double rounded(double value) {
     return std::round(value * 1e4) / 1e4;
 }
 
-std::string columns(const Pose2& pose) {
-    return fixed_text(pose.x_m, 4) + ',' + fixed_text(pose.y_m, 4) + ',' + fixed_text(pose.yaw_rad, 5);
-}
-
-std::string columns(const MotionCommand& motion) {
-    return fixed_text(motion.v_mps, 3) + ',' + fixed_text(motion.omega_radps, 3);
-}
-
 }  // namespace
 
 double barn_score(const DriveResult& result, double reference_path_m) {
@@ -30,7 +21,7 @@ double barn_score(const DriveResult& result, double reference_path_m) {
     return optimal_s / std::clamp(result.time_s, 2.0 * optimal_s, 8.0 * optimal_s);
 }
 
-std::string result_json(const NavOptions& options, const DriveResult& result) {
+std::string result_json(const NavOptions& options, const DriveResult& result, int fields_left_out) {
     nlohmann::ordered_json json;
     json["outcome"] = to_string(result.outcome);
     json["why"] = result.why;
@@ -42,6 +33,10 @@ std::string result_json(const NavOptions& options, const DriveResult& result) {
         json["min_clearance_m"] = rounded(result.min_clearance_m);
         json["world"] = options.drive.world.name;
         json["seed"] = options.seed;
+    } else {
+        json["robot"] = options.robot;
+        json["camera"] = options.camera->source;
+        json["fields_left_out"] = fields_left_out;
     }
     json["sensor"] = options.drive.sensor == SensorKind::Flow ? "flow" : "lidar";
     json["navigator"] =
@@ -55,24 +50,6 @@ std::string result_json(const NavOptions& options, const DriveResult& result) {
                                  {"why", stop.why}});
     }
     return json.dump(2) + '\n';
-}
-
-std::string drive_csv_header() {
-    return "time_s,true_x_m,true_y_m,true_yaw_rad,map_x_m,map_y_m,map_yaw_rad,odom_x_m,odom_y_m,"
-           "odom_yaw_rad,v_mps,omega_radps,proposed_v_mps,proposed_omega_radps,command_v_mps,"
-           "command_omega_radps,waypoint_x_m,waypoint_y_m,clearance_m,state,action,why\n";
-}
-
-std::string drive_csv_row(const DriveSample& sample, const nav::Autopilot& autopilot) {
-    const nav::PilotDecision& decision = autopilot.decision();
-    std::string why = decision.why;
-    std::replace(why.begin(), why.end(), ',', ';');
-    return fixed_text(sample.time_s, 2) + ',' + columns(sample.T_world_robot) + ',' +
-           columns(sample.T_map_robot) + ',' + columns(sample.odometry) + ',' + columns(sample.motion) + ',' +
-           columns(sample.proposed) + ',' + columns(sample.command) + ',' +
-           fixed_text(decision.waypoint_m.x(), 3) + ',' + fixed_text(decision.waypoint_m.y(), 3) + ',' +
-           fixed_text(sample.clearance_m, 3) + ',' + to_string(decision.state) + ',' +
-           to_string(autopilot.verdict().action) + ',' + why + '\n';
 }
 
 }  // namespace flownav

@@ -7,13 +7,9 @@
 namespace flownav {
 
 /// result.json: what came out of a drive, and of what.
-std::string result_json(const NavOptions& options, const DriveResult& result);
+std::string result_json(const NavOptions& options, const DriveResult& result, int fields_left_out);
 
 /// BARN's score of one run; 0 unless the goal was reached.
 double barn_score(const DriveResult& result, double reference_path_m);
-
-/// One row of drive.csv a decision of the navigator; the header names the columns.
-std::string drive_csv_header();
-std::string drive_csv_row(const DriveSample& sample, const nav::Autopilot& autopilot);
 
 }  // namespace flownav

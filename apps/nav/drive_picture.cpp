@@ -3,6 +3,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "flownav/mapping/grid_area.h"
+
 namespace flownav {
 namespace {
 
@@ -56,15 +58,12 @@ class Canvas {
 };
 
 void draw_map(Canvas& canvas, const mrpt::maps::COccupancyGridMap2D& map) {
+    const GridArea area = area_of(map);
     for (int v = 0; v < canvas.picture.rows; ++v) {
         for (int u = 0; u < canvas.picture.cols; ++u) {
-            const Vector2d at = canvas.place_m(u, v);
-            const int x = map.x2idx(at.x());
-            const int y = map.y2idx(at.y());
-            if (x < 0 || y < 0 || x >= static_cast<int>(map.getSizeX()) ||
-                y >= static_cast<int>(map.getSizeY()))
-                continue;
-            const auto grey = static_cast<std::uint8_t>(255.0F * map.getCell(x, y));
+            const Eigen::Vector2i cell = area.cell_of(canvas.place_m(u, v));
+            if (!area.contains(cell)) continue;
+            const auto grey = static_cast<std::uint8_t>(255.0F * map.getCell(cell.x(), cell.y()));
             canvas.picture.at<cv::Vec3b>(v, u) = {grey, grey, grey};
         }
     }
@@ -111,9 +110,9 @@ cv::Mat drive_picture(const SimulatedDriveOptions& options, const DriveResult& r
     std::vector<Vector2d> way;
     std::vector<Vector2d> belief;
     for (const DriveSample& sample : result.samples) {
-        way.emplace_back(sample.T_world_robot.x_m, sample.T_world_robot.y_m);
         belief.emplace_back(sample.T_map_robot.x_m, sample.T_map_robot.y_m);
-        include(way.back());
+        if (sample.truth_known) way.emplace_back(sample.T_world_robot.x_m, sample.T_world_robot.y_m);
+        include(sample.truth_known ? way.back() : belief.back());
     }
     const Vector2d around = Vector2d::Constant(2.0 + margin_m);
     Canvas canvas(low - around, high + around);
@@ -125,11 +124,13 @@ cv::Mat drive_picture(const SimulatedDriveOptions& options, const DriveResult& r
     canvas.outline(way, way_colour, false, 2);
     for (const Vector2d& goal : options.goals_m) canvas.dot(goal, options.success_radius_m, goal_colour, 2);
     const Polygon& footprint = options.config.navigation.robot.footprint_m;
-    draw_robot(canvas, footprint, options.start, way_colour);
+    if (result.samples.empty()) return canvas.picture;
+    const DriveSample& last = result.samples.back();
+    const cv::Scalar& colour = last.truth_known ? way_colour : belief_colour;
+    draw_robot(canvas, footprint, options.start, colour);
     const bool touched = result.outcome == Outcome::Collision;
-    if (!result.samples.empty())
-        draw_robot(canvas, footprint, result.samples.back().T_world_robot,
-                   touched ? contact_colour : way_colour);
+    draw_robot(canvas, footprint, last.truth_known ? last.T_world_robot : last.T_map_robot,
+               touched ? contact_colour : colour);
     return canvas.picture;
 }
 

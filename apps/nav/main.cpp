@@ -2,10 +2,14 @@
 #include <iostream>
 
 #include "nav_app.h"
+#include "stop_signals.h"
 
 int main(int argc, char** argv) {
+    const flownav::StopSignals signals;
     // A closed pipe or a limit on file sizes shall be an error of the write, not the end of the program.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
-    return flownav::run_nav_app({argv, argv + argc}, std::cout, std::cerr);
+    const flownav::StopRequest stop{[&signals] { return signals.wait(std::chrono::milliseconds(0)); },
+                                    [&signals] { signals.release(); }};
+    return flownav::run_nav_app({argv, argv + argc}, stop, std::cout, std::cerr);
 }

@@ -10,7 +10,8 @@ flownav-nav --robot tcp:HOST:PORT --camera CAM.ini --goal X,Y [options]
 The robot and where it goes
   --robot sim              the simulated robot (default)
   --robot tcp:HOST:PORT    a real one, behind the lines that share/doc/robot.md explains
-  --camera CAM.ini         its camera: a section of rawlog-grabber's with driver = CFlowObstacleSensor
+  --camera CAM.ini         its camera: a section of rawlog-grabber's with driver = CFlowObstacleSensor. Its
+                           keys hold before --config and --set. A rawlog, a folder or a video plays a recording
   --world FILE.world       a world for it, in Gazebo's format (SDF)
   --generate KIND          a generated world: corridor, office, hall or forest; --seed picks one
   --start X,Y,YAW_DEG      where it starts; default: as the world says, or 0,0,0
@@ -39,8 +40,8 @@ The simulated camera; its height, pitch and place are camera.height_m, camera.pi
   --objects patterned|faint|plain   how everything but the floor looks; default: as the world says
 
 What is kept
-  --output DIR             everything about the drive: result.json, drive.png, drive.csv, the recording, and
-                           what flownav-replay makes of it, with report.html
+  --output DIR             everything about the drive, of a real robot too: result.json, drive.png, drive.csv,
+                           the recording run.rawlog, and what flownav-replay makes of it, with report.html
   --result FILE.json       outcome, time, way, clearance, stops with their reasons
   --record FILE.rawlog     the camera's fields, odometry and ground truth, for flownav-replay
   --picture FILE.png       map, way and truth seen from above
@@ -56,6 +57,8 @@ Exit status:
   2  a world or a list of way points could not be read, or robot or camera were lost
   3  output could not be written
   4  blocked: no way was found        5  something was touched        6  the time was over
+  7  stopped by SIGINT, SIGTERM or SIGHUP
+When a drive ends, however it ends, the robot is told to stop and what was recorded is written.
 )";
 
 }  // namespace flownav

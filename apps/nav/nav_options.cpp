@@ -11,6 +11,7 @@
 #include "command_output.h"
 #include "configuration.h"
 #include "flownav/core/version.h"
+#include "flownav/nav/tcp_robot.h"
 #include "flownav/sensor/config_value.h"
 #include "flownav/sim/generate_world.h"
 #include "flownav/sim/sdf_world.h"
@@ -195,17 +196,43 @@ void set_goals(Arguments& a, SimulatedDriveOptions& drive) {
     if (drive.goals_m.empty()) throw ConfigError("needs --goal X,Y, --waypoints FILE or --follow X,Y");
 }
 
+/// What only the simulation knows must not be ignored in silence.
+void refuse_simulation_options(Arguments& a) {
+    const std::initializer_list<TCLAP::Arg*> simulated = {
+        &a.world,   &a.generate,       &a.success_radius, &a.sensor,
+        &a.seed,    &a.width,          &a.height,         &a.fov,
+        &a.rate,    &a.interlaced,     &a.noise,          &a.vibration,
+        &a.objects, &a.reference_path, &a.realtime,       &a.supersampling};
+    for (const TCLAP::Arg* argument : simulated) {
+        if (argument->isSet()) throw ConfigError("--" + argument->getName() + ": only with --robot sim");
+    }
+}
+
 NavOptions options_of(Arguments& a, std::ostream& error) {
     NavOptions options;
     options.robot = a.robot.getValue();
-    options.camera = a.camera.getValue();
     options.seed = seed_of(a);
     SimulatedDriveOptions& drive = options.drive;
-    drive.config = configuration(a.config.getValue(), a.settings.getValue());
+    if (options.robot != "sim") {
+        refuse_simulation_options(a);
+        nav::parse_tcp_address(options.robot);
+        if (!a.camera.isSet()) throw ConfigError("--robot " + options.robot + ": needs --camera CAM.ini");
+        options.camera = read_producer_settings(a.camera.getValue());
+    } else if (a.camera.isSet()) {
+        throw ConfigError(
+            "--camera: only with --robot tcp:HOST:PORT; the simulated robot has its own camera");
+    }
+    const Config base = options.camera ? options.camera->config : Config{};
+    drive.config = configuration(a.config.getValue(), a.settings.getValue(), base);
     if (a.navigator.isSet()) set_config_value(drive.config, "navigation.navigator", a.navigator.getValue());
     drive.sensor = one_of<SensorKind>("sensor", a.sensor.getValue(),
                                       {{"flow", SensorKind::Flow}, {"lidar", SensorKind::Lidar}});
-    drive.camera = make_camera(a, drive.config.camera);
+    check_navigation(drive.config);
+    if (options.camera) {
+        options.camera->config = drive.config;
+    } else {
+        drive.camera = make_camera(a, drive.config.camera);
+    }
     drive.success_radius_m = in_range(a.success_radius, 0.01, 100.0);
     drive.timeout_s = in_range(a.timeout, 1.0, 1e6);
     drive.way_max_m = in_range(a.way_max, 0.1, 1e6);
@@ -221,8 +248,6 @@ NavOptions options_of(Arguments& a, std::ostream& error) {
                                                            {"faint", sim::Surface::Faint},
                                                            {"plain", sim::Surface::Plain}}));
         }
-    } else if (options.camera.empty()) {
-        throw ConfigError("--robot " + options.robot + ": needs --camera CAM.ini");
     }
     set_goals(a, drive);
     options.output = a.output.getValue();
@@ -230,7 +255,7 @@ NavOptions options_of(Arguments& a, std::ostream& error) {
     options.record = a.record.getValue();
     options.picture = a.picture.getValue();
     options.reference_path_m = in_range(a.reference_path, 0.0, 1e6);
-    options.realtime = a.realtime.getValue();
+    drive.realtime = a.realtime.getValue();
     options.quiet = a.quiet.getValue();
     return options;
 }

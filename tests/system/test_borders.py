@@ -19,8 +19,9 @@ MODULES = {
     "sim": {"core"},
     "replay": {"pipeline", "sensor", "mapping"},
     "producer": {"pipeline", "sensor", "replay"},  # libs/sensor/plugin
+    "drive": {"nav", "sim", "pipeline", "sensor", "replay", "producer"},
 }
-MAY_USE_MRPT = {"mapping", "sensor", "nav", "sim", "replay", "producer"}
+MAY_USE_MRPT = {"mapping", "sensor", "nav", "sim", "replay", "producer", "drive"}
 
 # Headers of others, and the linked target that brings them.
 LIBRARIES = {

@@ -19,6 +19,22 @@ const char* to_string(FieldStatus status) {
     return "unknown";
 }
 
+const char* to_string(FieldFault fault) {
+    switch (fault) {
+        case FieldFault::None:
+            return "none";
+        case FieldFault::NoPicture:
+            return "no_picture";
+        case FieldFault::WrongSize:
+            return "wrong_size";
+        case FieldFault::BadCamera:
+            return "bad_camera";
+        case FieldFault::TimeNotRising:
+            return "time_not_rising";
+    }
+    return "unknown";
+}
+
 const char* to_string(BlockFate fate) {
     switch (fate) {
         case BlockFate::Unplaced:

@@ -6,6 +6,7 @@
 
 #include "block_greys.h"
 #include "flownav/core/order_statistic.h"
+#include "flownav/flow/block_bounds.h"
 
 namespace flownav {
 namespace {
@@ -17,19 +18,14 @@ constexpr int rounds = 3;
 constexpr std::size_t blocks_max = 192;  // the first ones: any number of them covers the image evenly
 constexpr double kept_share = 0.7;       // of the blocks, those that follow the others best
 
-bool inside(const Eigen::Vector2i& corner_px, const ImageView& image) {
-    return corner_px.x() >= 0 && corner_px.y() >= 0 && corner_px.x() + block_px <= image.width_px &&
-           corner_px.y() + block_px <= image.height_px;
-}
-
 void collect(const ImageView& reference, const ImageView& newer, const BlockLayout& layout,
              const std::vector<Eigen::Vector2i>& bias_px, GreySums& sums) {
     for (auto* numbers : {&sums.reference, &sums.reference2, &sums.newer, &sums.newer2}) numbers->clear();
     const std::size_t blocks = std::min(layout.size(), blocks_max);
     for (std::size_t i = 0; i < blocks; ++i) {
         const Eigen::Vector2i& corner_px = layout.corner_px[i];
+        if (!contains_block(reference, corner_px) || !contains_block(newer, corner_px, bias_px[i])) continue;
         const Eigen::Vector2i expected_px = corner_px + bias_px[i];
-        if (!inside(expected_px, newer)) continue;
         const BlockSums before =
             sums_of(reference.row(corner_px.y()) + corner_px.x(), reference.stride_bytes);
         const BlockSums after = sums_of(newer.row(expected_px.y()) + expected_px.x(), newer.stride_bytes);

@@ -1,8 +1,10 @@
 #include "flownav/flow/match_blocks.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "block_greys.h"
+#include "flownav/flow/block_bounds.h"
 #include "flownav/flow/subpixel.h"
 
 namespace flownav {
@@ -22,7 +24,7 @@ FlowVector match_one(const ImageView& reference, const ImageView& newer, const E
     FlowVector vector;
     vector.at_px = corner_px.cast<double>().array() + (block_px - 1) / 2.0;
     const SearchRange range = clipped_range(corner_px, bias_px, newer);
-    if (range.empty()) return vector;
+    if (range.empty() || !contains_block(reference, corner_px)) return vector;
     const Eigen::Vector2i at = corner_px + bias_px;
     const BlockMatch match =
         match_of(reference.row(corner_px.y()) + corner_px.x(), reference.stride_bytes,
@@ -38,9 +40,15 @@ FlowVector match_one(const ImageView& reference, const ImageView& newer, const E
 
 SearchRange clipped_range(const Eigen::Vector2i& corner_px, const Eigen::Vector2i& bias_px,
                           const ImageView& image) {
-    const Eigen::Vector2i at = corner_px + bias_px;
-    return {std::max(search_min, -at.x()), std::min(search_max, image.width_px - block_px - at.x()),
-            std::max(search_min, -at.y()), std::min(search_max, image.height_px - block_px - at.y())};
+    const auto at = displaced(corner_px, bias_px);
+    const auto low = [](std::int64_t at_px) {
+        return static_cast<int>(std::clamp<std::int64_t>(-at_px, search_min, search_max + 1));
+    };
+    const auto high = [](std::int64_t at_px, int size_px) {
+        return static_cast<int>(
+            std::clamp<std::int64_t>(size_px - block_px - at_px, search_min - 1, search_max));
+    };
+    return {low(at.x()), high(at.x(), image.width_px), low(at.y()), high(at.y(), image.height_px)};
 }
 
 void match_blocks(const ImageView& reference, const ImageView& newer, const BlockLayout& layout,

@@ -1,16 +1,8 @@
 #include "flownav/flow/matcher.h"
 
-#include <cmath>
+#include "flownav/flow/block_bounds.h"
 
 namespace flownav {
-namespace {
-
-/// std::lround() without a call of the library.
-int nearest(double value) {
-    return static_cast<int>(value + std::copysign(0.5, value));
-}
-
-}  // namespace
 
 BlockMatcher::BlockMatcher(const FlowParams& params, int threads, const KernelEntry& kernel)
     : params_(params) {
@@ -23,8 +15,7 @@ void BlockMatcher::operator()(const ImageView& reference, const ImageView& newer
                               const std::vector<Eigen::Vector2d>& predicted_px,
                               std::vector<FlowVector>& vectors) {
     bias_px_.resize(layout.size());
-    for (std::size_t i = 0; i < layout.size(); ++i)
-        bias_px_[i] = {nearest(predicted_px[i].x()), nearest(predicted_px[i].y())};
+    for (std::size_t i = 0; i < layout.size(); ++i) bias_px_[i] = whole_px(predicted_px[i]);
     settings_.brightness = {};
     if (params_.brightness == BrightnessModel::Image)
         settings_.brightness = compare_brightness(reference, newer, layout, bias_px_, sums_);

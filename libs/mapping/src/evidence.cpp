@@ -26,7 +26,7 @@ double share(int i, int steps) {
     return steps > 0 ? static_cast<double>(i) / steps : 0.5;
 }
 
-void add_floor(const CellFrame& frame, const Vector2d& near, const Vector2d& far, double width_m,
+void add_floor(const GridFrame& frame, const Vector2d& near, const Vector2d& far, double width_m,
                std::vector<Evidence>& evidence) {
     const Vector2d along = far - near;
     const Vector2d across = Vector2d(-along.y(), along.x()).normalized() * width_m;
@@ -43,7 +43,7 @@ void add_floor(const CellFrame& frame, const Vector2d& near, const Vector2d& far
 
 /// A point says that its cell is occupied, and nothing of the cells that it may be in as well: a thin leg on
 /// the border of two cells is seen now in one, now in the other, and floor beside it must not outvote it.
-void add_point(const CellFrame& frame, const Vector2d& p, double p_free_there,
+void add_point(const GridFrame& frame, const Vector2d& p, double p_free_there,
                std::vector<Evidence>& evidence) {
     const double half_m = frame.cell_m / 2;
     for (const double dx : {-half_m, half_m})
@@ -54,7 +54,7 @@ void add_point(const CellFrame& frame, const Vector2d& p, double p_free_there,
 
 }  // namespace
 
-void gather_evidence(const ObstacleSet& set, const Pose2& T_frame_robot, const CellFrame& frame,
+void gather_evidence(const ObstacleSet& set, const Pose2& T_frame_robot, const GridFrame& frame,
                      std::vector<Evidence>& evidence) {
     evidence.clear();
     for (const ObstaclePoint& point : set.points) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "evidence.h"
+#include "flownav/mapping/grid_area.h"
 
 namespace flownav {
 namespace {
@@ -34,6 +35,12 @@ int side_of(const MapParams& params) {
     return side;
 }
 
+/// True when the pose lies where cells have numbers. False for NaN.
+bool has_cell(const Pose2& pose) {
+    constexpr double far_m = 1e6;
+    return std::abs(pose.x_m) < far_m && std::abs(pose.y_m) < far_m && std::isfinite(pose.yaw_rad);
+}
+
 Eigen::Isometry2d isometry(const Pose2& pose) {
     return Eigen::Translation2d(pose.x_m, pose.y_m) * Eigen::Rotation2Dd(pose.yaw_rad);
 }
@@ -49,11 +56,12 @@ LocalMap::LocalMap(const MapParams& params)
             static_cast<float>(params.resolution_m)) {}
 
 void LocalMap::insert(const ObstacleSet& set) {
+    if (!has_cell(set.T_map_robot)) return;
     while (!history_.empty() && set.timestamp_s - history_.front().timestamp_s > params_.memory_s) {
         forget(history_.front());
         history_.pop();
     }
-    const CellFrame frame{Vector2d::Zero(), params_.resolution_m};
+    const GridFrame frame{Vector2d::Zero(), params_.resolution_m};
     const Vector2i middle = frame.cell_of({set.T_map_robot.x_m, set.T_map_robot.y_m});
     gather_evidence(set, set.T_map_robot, frame, evidence_);
     Remembered& remembered = history_.push();
@@ -72,7 +80,8 @@ void LocalMap::insert(const ObstacleSet& set) {
 }
 
 void LocalMap::redraw(const Pose2& T_map_robot) {
-    const CellFrame frame{Vector2d::Zero(), params_.resolution_m};
+    if (!has_cell(T_map_robot)) return;
+    const GridFrame frame{Vector2d::Zero(), params_.resolution_m};
     const int columns = static_cast<int>(grid_.getSizeX());
     const int rows = static_cast<int>(grid_.getSizeY());
     const Eigen::Isometry2d T = isometry(T_map_robot);
@@ -84,11 +93,10 @@ void LocalMap::redraw(const Pose2& T_map_robot) {
     }
     // A cell that is askew may miss every middle of the grid: obstacles must not get lost.
     const Eigen::Isometry2d T_robot_map = T.inverse();
-    const CellFrame of_robot{{grid_.getXMin(), grid_.getYMin()}, grid_.getResolution()};
+    const GridArea of_robot = area_of(grid_);
     for (const Cell& cell : cells_) {
         if (cell.log_odds >= 0) continue;
-        const Vector2d middle_m = (cell.index.cast<double>() + Vector2d(0.5, 0.5)) * params_.resolution_m;
-        const Vector2i at = of_robot.cell_of(T_robot_map * middle_m);
+        const Vector2i at = of_robot.cell_of(T_robot_map * frame.middle_of(cell.index));
         grid_.setCell(at.x(), at.y(), std::min(grid_.getCell(at.x(), at.y()), probability(cell.log_odds)));
     }
     for (const Vector2d& mover_m : movers_m_) {

@@ -120,7 +120,7 @@ Support support_of(MotionScratch::Votes& votes, const Turn& turn, double lambda_
     return s;
 }
 
-bool is_unbeatable(const Consensus& predicted) {
+bool outvotes_every_other_motion(const Consensus& predicted) {
     const Support& s = predicted.support;
     return s.cells > 0 && continuity_bonus * s.cells >= s.all_cells;
 }

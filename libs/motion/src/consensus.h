@@ -39,8 +39,10 @@ struct Consensus {
     bool as_predicted = false;  ///< within the prediction's tolerance
 };
 
-/// True for a predicted rotation with so much support that no other could win in find_consensus().
-bool is_unbeatable(const Consensus& predicted);
+/// True for a predicted rotation with so much support that no rotation outside the prediction's tolerance
+/// could win against it in find_consensus(). Another one within the tolerance could; fit_rotation() comes to
+/// the same rotation from either.
+bool outvotes_every_other_motion(const Consensus& predicted);
 
 /// The rotation to start from: the one with the widest support among the predicted one, the background of
 /// [S] and the rotations that pairs of vectors stand for. A rotation as predicted wins against another with

@@ -107,7 +107,7 @@ Consensus start_rotation(const std::vector<MotionSample>& samples, const CameraM
     const Turn predicted{prediction.omega_rad,
                          params.model == MotionModel::YawPitch ? prediction.pitch_rad : 0.0};
     const Consensus continuing{predicted, support_of(scratch.votes, predicted, params.lambda_px), true};
-    if (is_unbeatable(continuing)) return continuing;
+    if (outvotes_every_other_motion(continuing)) return continuing;
     const double background_rad = background(samples, camera, direction, scratch);
     return find_consensus(scratch, background_rad, prediction, params);
 }

@@ -56,8 +56,7 @@ MotionCommand Autopilot::command(double time_s, const Tamper& tamper) {
 void Autopilot::decide(double time_s, const Tamper& tamper) {
     decided_s_ = time_s;
     local_.redraw(pose_.now());
-    const bool blind = verdict_.action == GuardAction::Stop && verdict_.reason > GuardReason::ObstacleAhead &&
-                       verdict_.reason < GuardReason::NavigatorSilent;
+    const bool blind = verdict_.action == GuardAction::Stop && is_fault_of_sensing(verdict_.reason);
     const Situation situation{time_s, pose_.now(), motion_, &local_.grid(), !blind};
     decision_ = pilot_.decide(situation, map_.grid());
     const auto proposal = tamper ? tamper(time_s, decision_.command) : decision_.command;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "flownav/mapping/grid_area.h"
+
 namespace flownav::nav {
 namespace {
 
@@ -12,13 +14,13 @@ using Eigen::Vector2i;
 using mrpt::maps::COccupancyGridMap2D;
 
 /// Probability of being FREE of every cell of the area.
-cv::Mat probabilities(const COccupancyGridMap2D& map, const CellArea& area) {
+cv::Mat probabilities(const COccupancyGridMap2D& map, const GridArea& area) {
     cv::Mat p_free(area.rows, area.columns, CV_32F);
+    const Vector2i first = area_of(map).cell_of(area.middle_of({0, 0}));
     for (int row = 0; row < area.rows; ++row) {
         float* const line = p_free.ptr<float>(row);
-        const int y = map.y2idx(area.middle_of({0, row}).y());
         for (int column = 0; column < area.columns; ++column)
-            line[column] = map.getCell(map.x2idx(area.middle_of({column, row}).x()), y);
+            line[column] = map.getCell(first.x() + column, first.y() + row);
     }
     return p_free;
 }
@@ -35,7 +37,7 @@ float cost_of(float p_free, double distance_m, double closed_m, const PlanParams
 }
 
 /// Makes the places to avoid dearer.
-void add_avoidance(const CellArea& area, const PlanParams& params, cv::Mat& cost) {
+void add_avoidance(const GridArea& area, const PlanParams& params, cv::Mat& cost) {
     const int reach = static_cast<int>(std::ceil(params.avoid_radius_m / area.cell_m));
     for (const Vector2d& place_m : params.avoid_m) {
         const Vector2i middle = area.cell_of(place_m);
@@ -54,7 +56,7 @@ void add_avoidance(const CellArea& area, const PlanParams& params, cv::Mat& cost
 
 }  // namespace
 
-CostMap::CostMap(const COccupancyGridMap2D& map, const CellArea& area, const RobotModel& robot,
+CostMap::CostMap(const COccupancyGridMap2D& map, const GridArea& area, const RobotModel& robot,
                  const PlanParams& params)
     : area_(area), cost_(area.rows, area.columns, CV_32F) {
     const cv::Mat p_free = probabilities(map, area);
@@ -72,7 +74,7 @@ CostMap::CostMap(const COccupancyGridMap2D& map, const CellArea& area, const Rob
     add_avoidance(area_, params, cost_);
 }
 
-CellArea area_around(const COccupancyGridMap2D& map, const Vector2d& from_m, const Vector2d& goal_m,
+GridArea area_around(const COccupancyGridMap2D& map, const Vector2d& from_m, const Vector2d& goal_m,
                      const PlanParams& params) {
     const Vector2d margin = Vector2d::Constant(params.area_margin_m);
     const Vector2d half = Vector2d::Constant(params.area_max_m / 2);
@@ -80,7 +82,7 @@ CellArea area_around(const COccupancyGridMap2D& map, const Vector2d& from_m, con
     Vector2d high = from_m.cwiseMax(goal_m) + margin;
     low = low.cwiseMin(Vector2d(map.getXMin(), map.getYMin())).cwiseMax(from_m - half);
     high = high.cwiseMax(Vector2d(map.getXMax(), map.getYMax())).cwiseMin(from_m + half);
-    CellArea area;
+    GridArea area;
     area.cell_m = map.getResolution();
     // On the cells of the map, so that both have the same edges.
     const Vector2d map_origin(map.getXMin(), map.getYMin());

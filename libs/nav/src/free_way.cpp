@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 
+#include "flownav/mapping/grid_area.h"
 #include "flownav/nav/motion_model.h"
 
 namespace flownav::nav {
 namespace {
 
 using Eigen::Vector2d;
+using Eigen::Vector2i;
 using mrpt::maps::COccupancyGridMap2D;
 
 constexpr double nearer_m = 0.003;  // accuracy of the footprint's raster
@@ -21,7 +23,7 @@ class Walk {
   public:
     Walk(const FootprintField& field, const COccupancyGridMap2D& map, const FreeWayParams& params)
         : field_(field),
-          map_(map),
+          area_(area_of(map)),
           params_(params),
           kinds_(kinds_of(map, params.limits)),
           counted_(kinds_.size(), 0),
@@ -32,43 +34,39 @@ class Walk {
     /// Whether the footprint touches an obstacle there; counts the unseen cells it comes to cover.
     bool touches(const Pose2& T_robot_there, bool count_unseen) {
         const Pose2 T_there_robot = inverse(T_robot_there);
-        const double cell_m = map_.getResolution();
         const double radius_m = field_.radius_m() - field_.reach_m() + params_.margin_m;
-        const int reach = static_cast<int>(std::ceil(radius_m / cell_m));
-        const int column = map_.x2idx(T_robot_there.x_m);
-        const int row = map_.y2idx(T_robot_there.y_m);
-        for (int r = row - reach; r <= row + reach; ++r) {
-            for (int c = column - reach; c <= column + reach; ++c) {
-                const CellKind kind = kind_of(c, r);
-                if (kind == CellKind::Free || kind == CellKind::Weak) continue;
-                const Vector2d middle(map_.idx2x(c), map_.idx2y(r));
-                const double distance_m = field_.distance_m(transform(T_there_robot, middle));
-                if (distance_m >= margin_m_ && distance_m >= 0.0) continue;
-                if (kind == CellKind::Occupied) {
-                    if (comes_nearer(middle, distance_m)) return true;
-                } else if (distance_m < 0.0) {
-                    count(c, r, count_unseen);
-                }
+        bool touches = false;
+        for_cells_around({T_robot_there.x_m, T_robot_there.y_m}, radius_m, [&](const Vector2i& cell) {
+            const CellKind kind = kind_of(cell);
+            if (touches || kind == CellKind::Free || kind == CellKind::Weak) return;
+            const Vector2d middle = area_.middle_of(cell);
+            const double distance_m = field_.distance_m(transform(T_there_robot, middle));
+            if (distance_m >= margin_m_ && distance_m >= 0.0) return;
+            if (kind == CellKind::Occupied) {
+                touches = comes_nearer(middle, distance_m);
+            } else if (distance_m < 0.0) {
+                count(cell, count_unseen);
             }
-        }
-        return false;
+        });
+        return touches;
     }
 
     bool unseen() const {
-        const double cell_m = map_.getResolution();
-        return count_ > 0 && count_ * cell_m * cell_m >= params_.unseen_area_m2;
+        return count_ > 0 && count_ * area_.cell_m * area_.cell_m >= params_.unseen_area_m2;
     }
 
   private:
-    bool inside(int column, int row) const {
-        return column >= 0 && row >= 0 && column < static_cast<int>(map_.getSizeX()) &&
-               row < static_cast<int>(map_.getSizeY());
+    /// Cells within a radius about a point, and some in the corners of the square; also outside the map.
+    template <class Visit>
+    void for_cells_around(const Vector2d& p_robot, double radius_m, const Visit& visit) const {
+        const int reach = static_cast<int>(std::ceil(radius_m / area_.cell_m));
+        const Vector2i middle = area_.cell_of(p_robot);
+        for (int row = middle.y() - reach; row <= middle.y() + reach; ++row)
+            for (int column = middle.x() - reach; column <= middle.x() + reach; ++column)
+                visit(Vector2i(column, row));
     }
-    std::size_t index(int column, int row) const {
-        return static_cast<std::size_t>(row) * map_.getSizeX() + static_cast<std::size_t>(column);
-    }
-    CellKind kind_of(int column, int row) const {
-        return inside(column, row) ? kinds_[index(column, row)] : CellKind::Unknown;
+    CellKind kind_of(const Vector2i& cell) const {
+        return area_.contains(cell) ? kinds_[area_.index(cell)] : CellKind::Unknown;
     }
 
     bool comes_nearer(const Vector2d& p_robot, double distance_m) const {
@@ -77,10 +75,10 @@ class Walk {
     }
 
     /// Cells met before counting begins never count.
-    void count(int column, int row, bool counts) {
-        if (inside(column, row)) {
-            if (counted_[index(column, row)]) return;
-            counted_[index(column, row)] = 1;
+    void count(const Vector2i& cell, bool counts) {
+        if (area_.contains(cell)) {
+            if (counted_[area_.index(cell)]) return;
+            counted_[area_.index(cell)] = 1;
         }
         if (counts) ++count_;
     }
@@ -88,21 +86,16 @@ class Walk {
     /// Distance of the footprint to the nearest obstacle now, at most the field's reach.
     double nearest_m() const {
         double least_m = field_.reach_m();
-        const int reach = static_cast<int>(std::ceil(field_.radius_m() / map_.getResolution()));
-        const int column = map_.x2idx(0.0);
-        const int row = map_.y2idx(0.0);
-        for (int r = row - reach; r <= row + reach; ++r) {
-            for (int c = column - reach; c <= column + reach; ++c) {
-                if (kind_of(c, r) != CellKind::Occupied) continue;
-                const double distance_m = field_.distance_m({map_.idx2x(c), map_.idx2y(r)});
-                if (distance_m > -under_m) least_m = std::min(least_m, distance_m);
-            }
-        }
+        for_cells_around(Vector2d::Zero(), field_.radius_m(), [&](const Vector2i& cell) {
+            if (kind_of(cell) != CellKind::Occupied) return;
+            const double distance_m = field_.distance_m(area_.middle_of(cell));
+            if (distance_m > -under_m) least_m = std::min(least_m, distance_m);
+        });
         return least_m;
     }
 
     const FootprintField& field_;
-    const COccupancyGridMap2D& map_;
+    GridArea area_;
     const FreeWayParams& params_;
     std::vector<CellKind> kinds_;
     std::vector<std::uint8_t> counted_;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "flownav/mapping/grid_area.h"
+
 namespace flownav::nav {
 namespace {
 
@@ -21,16 +23,9 @@ int wrapped(int i, int side) {
 
 GroundMemory::GroundMemory(const GroundMemoryParams& params)
     : params_(params),
+      frame_{Vector2d::Zero(), params.cell_m},
       side_(2 * static_cast<int>(std::ceil(params.reach_m / params.cell_m)) + 2),
       cells_(static_cast<std::size_t>(side_) * side_) {}
-
-Vector2i GroundMemory::index_of(const Vector2d& at_m) const {
-    return (at_m / params_.cell_m).array().floor().cast<int>();
-}
-
-Vector2d GroundMemory::middle_of(const Vector2i& index) const {
-    return (index.cast<double>() + Vector2d(0.5, 0.5)) * params_.cell_m;
-}
 
 GroundMemory::Cell& GroundMemory::place(const Vector2i& index) {
     return cells_[static_cast<std::size_t>(wrapped(index.y(), side_)) * side_ + wrapped(index.x(), side_)];
@@ -47,17 +42,17 @@ Ground GroundMemory::at(const Vector2i& index, double time_s) const {
 
 int GroundMemory::note(const mrpt::maps::COccupancyGridMap2D& local_map, double time_s,
                        const Pose2& T_map_robot) {
-    const Vector2i middle = index_of({T_map_robot.x_m, T_map_robot.y_m});
+    const Vector2i middle = frame_.cell_of({T_map_robot.x_m, T_map_robot.y_m});
     const Pose2 T_robot_map = inverse(T_map_robot);
     const Vector2d origin = transform(T_robot_map, {0.0, 0.0});
     const Vector2d along_x = transform(T_robot_map, {params_.cell_m, 0.0}) - origin;
     const Vector2d along_y = transform(T_robot_map, {0.0, params_.cell_m}) - origin;
+    const GridArea area = area_of(local_map);
     int fresh = 0;
     for (int y = middle.y() - side_ / 2 + 1; y < middle.y() + side_ / 2; ++y) {
         for (int x = middle.x() - side_ / 2 + 1; x < middle.x() + side_ / 2; ++x) {
             const Vector2d p = origin + (x + 0.5) * along_x + (y + 0.5) * along_y;
-            // Outside the map it says 0.5.
-            const double p_free = local_map.getCell(local_map.x2idx(p.x()), local_map.y2idx(p.y()));
+            const double p_free = p_free_at(local_map, area, p);
             if (p_free < params_.p_occupied || p_free > params_.p_free) {
                 fresh += note_cell({x, y}, p_free > params_.p_free, time_s);
             } else {
@@ -92,13 +87,14 @@ void GroundMemory::note_silence(const Vector2i& index, const Vector2d& at_robot_
 void GroundMemory::drive_over(const Polygon& footprint_m, double time_s, const Pose2& T_map_robot) {
     const Vector2d centre(T_map_robot.x_m, T_map_robot.y_m);
     const Vector2d reach = Vector2d::Constant(circumscribed_radius_m(footprint_m));
-    const Vector2i low = index_of(centre - reach);
-    const Vector2i high = index_of(centre + reach);
+    const Vector2i low = frame_.cell_of(centre - reach);
+    const Vector2i high = frame_.cell_of(centre + reach);
     const Pose2 T_robot_map = inverse(T_map_robot);
     for (int y = low.y(); y <= high.y(); ++y) {
         for (int x = low.x(); x <= high.x(); ++x) {
             const Vector2i index(x, y);
-            const double outside_m = signed_distance_m(footprint_m, transform(T_robot_map, middle_of(index)));
+            const double outside_m =
+                signed_distance_m(footprint_m, transform(T_robot_map, frame_.middle_of(index)));
             const bool is_obstacle = at(index, time_s) == Ground::Occupied;
             if (outside_m > (is_obstacle ? -deep_inside_m : 0.0)) continue;
             place(index) = {index, Ground::Driven, time_s + params_.driven_s};
@@ -107,7 +103,7 @@ void GroundMemory::drive_over(const Polygon& footprint_m, double time_s, const P
 }
 
 Ground GroundMemory::at(const Vector2d& at_m, double time_s) const {
-    return at(index_of(at_m), time_s);
+    return at(frame_.cell_of(at_m), time_s);
 }
 
 bool GroundMemory::is_seen(const Vector2d& at_m, double time_s) const {
@@ -125,14 +121,15 @@ bool GroundMemory::is_seen(const Vector2d& at_m, double time_s) const {
 std::vector<Vector2d> GroundMemory::obstacles(const Vector2d& around_m, double radius_m,
                                               double time_s) const {
     const double reach_m = std::min(radius_m, params_.reach_m);
-    const Vector2i low = index_of(around_m - Vector2d::Constant(reach_m));
-    const Vector2i high = index_of(around_m + Vector2d::Constant(reach_m));
+    const Vector2i low = frame_.cell_of(around_m - Vector2d::Constant(reach_m));
+    const Vector2i high = frame_.cell_of(around_m + Vector2d::Constant(reach_m));
     std::vector<Vector2d> found;
     for (int y = low.y(); y <= high.y(); ++y) {
         for (int x = low.x(); x <= high.x(); ++x) {
             const Vector2i index(x, y);
             if (at(index, time_s) != Ground::Occupied) continue;
-            if ((middle_of(index) - around_m).norm() <= reach_m) found.push_back(middle_of(index));
+            if ((frame_.middle_of(index) - around_m).norm() <= reach_m)
+                found.push_back(frame_.middle_of(index));
         }
     }
     return found;

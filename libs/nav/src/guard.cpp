@@ -197,7 +197,7 @@ Verdict Guard::sent(const Surroundings& now, const Verdict& verdict) {
 }
 
 void Guard::log(double time_s, const Verdict& verdict) {
-    const auto rank = [](const GuardEvent& e) { return std::pair(e.action, e.reason); };
+    const auto rank = [](const GuardEvent& e) { return std::pair(gravity(e.action), gravity(e.reason)); };
     const GuardEvent event{time_s, verdict.action, verdict.reason, verdict.why};
     const bool same = !events_.empty() && rank(events_.back()) == rank(event);
     const bool milder = !events_.empty() && rank(event) < rank(events_.back());

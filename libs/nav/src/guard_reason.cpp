@@ -1,6 +1,53 @@
 #include "flownav/nav/guard_reason.h"
 
+#include <algorithm>
+#include <array>
+
 namespace flownav::nav {
+namespace {
+
+/// From harmless to grave.
+constexpr std::array<GuardReason, 9> by_gravity = {
+    GuardReason::None,           GuardReason::UnseenAhead,
+    GuardReason::ObstacleAhead,  GuardReason::OdometryContradiction,
+    GuardReason::SensorFrozen,   GuardReason::OmegaLost,
+    GuardReason::SensorBlind,    GuardReason::SensorStale,
+    GuardReason::NavigatorSilent};
+
+}  // namespace
+
+int gravity(GuardAction action) {
+    switch (action) {
+        case GuardAction::Pass:
+            return 0;
+        case GuardAction::Slow:
+            return 1;
+        case GuardAction::Stop:
+            return 2;
+    }
+    return 2;
+}
+
+int gravity(GuardReason reason) {
+    return static_cast<int>(std::find(by_gravity.begin(), by_gravity.end(), reason) - by_gravity.begin());
+}
+
+bool is_fault_of_sensing(GuardReason reason) {
+    switch (reason) {
+        case GuardReason::OdometryContradiction:
+        case GuardReason::SensorFrozen:
+        case GuardReason::OmegaLost:
+        case GuardReason::SensorBlind:
+        case GuardReason::SensorStale:
+            return true;
+        case GuardReason::None:
+        case GuardReason::UnseenAhead:
+        case GuardReason::ObstacleAhead:
+        case GuardReason::NavigatorSilent:
+            return false;
+    }
+    return true;
+}
 
 const char* to_string(GuardAction action) {
     switch (action) {

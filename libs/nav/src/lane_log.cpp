@@ -35,9 +35,7 @@ void add_obstacles(const LaneTables& tables, const mrpt::maps::COccupancyGridMap
     const std::vector<CellKind> kinds = kinds_of(map, limits);
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         if (kinds[i] != CellKind::Occupied) continue;
-        const auto columns = static_cast<std::size_t>(tables.grid.columns);
-        const Vector2d p =
-            tables.grid.middle_of(static_cast<int>(i % columns), static_cast<int>(i / columns));
+        const Vector2d p = tables.grid.middle_of(tables.grid.cell_at(i));
         record.WS_Obstacles.insertPoint(static_cast<float>(p.x()), static_cast<float>(p.y()), 0.0F);
     }
     record.WS_Obstacles_original = record.WS_Obstacles;

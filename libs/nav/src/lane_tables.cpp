@@ -5,13 +5,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "flownav/mapping/grid_area.h"
 #include "flownav/nav/motion_model.h"
 #include "sweep.h"
 
 namespace flownav::nav {
 namespace {
-
-using mrpt::maps::COccupancyGridMap2D;
 
 constexpr double turn_max_rad = 2.6;  // of an arc: whoever wants to go back turns on the spot
 constexpr double unit_m = 0.001;
@@ -36,15 +35,9 @@ void check(const LaneLayout& layout, const RobotModel& robot) {
             "map_size_m is too small for the robot");
 }
 
-CellGrid cells_of(const LaneLayout& layout) {
+GridArea cells_of(const LaneLayout& layout) {
     const auto half = static_cast<float>(layout.map_size_m / 2);
-    const COccupancyGridMap2D map(-half, half, -half, half, static_cast<float>(layout.resolution_m));
-    CellGrid grid;
-    grid.low_m = {map.getXMin(), map.getYMin()};
-    grid.cell_m = map.getResolution();
-    grid.columns = static_cast<int>(map.getSizeX());
-    grid.rows = static_cast<int>(map.getSizeY());
-    return grid;
+    return area_of({-half, half, -half, half, static_cast<float>(layout.resolution_m)});
 }
 
 /// Denser about straight on: there a small difference matters most.
@@ -61,7 +54,7 @@ double length_m(const LaneLayout& layout, double curvature, double reach_m) {
     return std::min({layout.length_m, turn_m, in_map_m});
 }
 
-Lane swept(const FootprintField& field, const CellGrid& grid, Lane lane, double margin_m) {
+Lane swept(const FootprintField& field, const GridArea& grid, Lane lane, double margin_m) {
     const Pose2 turned{0.0, 0.0, lane.heading_rad};
     const auto pose_of = [&lane, &turned](double way_m) {
         return compose(turned, pose_after({1.0, lane.curvature_1pm}, way_m));
@@ -72,13 +65,6 @@ Lane swept(const FootprintField& field, const CellGrid& grid, Lane lane, double 
 }
 
 }  // namespace
-
-bool CellGrid::fits(const COccupancyGridMap2D& map) const {
-    const auto near = [this](double a, double b) { return std::abs(a - b) < 0.01 * cell_m; };
-    return static_cast<int>(map.getSizeX()) == columns && static_cast<int>(map.getSizeY()) == rows &&
-           near(map.getXMin(), low_m.x()) && near(map.getYMin(), low_m.y()) &&
-           near(map.getResolution(), cell_m);
-}
 
 LaneTables make_lane_tables(const RobotModel& robot, const LaneLayout& layout) {
     check(layout, robot);

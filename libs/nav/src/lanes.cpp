@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "flownav/mapping/grid_area.h"
 #include "flownav/nav/motion_model.h"
 #include "lane_view.h"
 #include "rollout.h"
@@ -30,6 +31,12 @@ double room_to_turn_m(const Polygon& footprint_m) {
     double front_m = 0.0;
     for (const Vector2d& corner : footprint_m) front_m = std::max(front_m, corner.x());
     return circumscribed_radius_m(footprint_m) - front_m;
+}
+
+bool same_cells(const GridArea& a, const GridArea& b) {
+    const double tolerance_m = 0.01 * a.cell_m;
+    return a.columns == b.columns && a.rows == b.rows && std::abs(a.cell_m - b.cell_m) < tolerance_m &&
+           (a.origin_m - b.origin_m).cwiseAbs().maxCoeff() < tolerance_m;
 }
 
 class Choice {
@@ -187,7 +194,7 @@ class Choice {
 LaneDecision choose_lane(const LaneTables& tables, const COccupancyGridMap2D& local_map,
                          const Vector2d& waypoint_robot_m, const MotionCommand& motion,
                          const LaneParams& params) {
-    if (!tables.grid.fits(local_map)) {
+    if (!same_cells(tables.grid, area_of(local_map))) {
         throw std::invalid_argument(
             "the local map does not fit the lane tables: make them for its size and "
             "resolution");

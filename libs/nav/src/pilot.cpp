@@ -6,10 +6,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "flownav/mapping/grid_area.h"
+
 namespace flownav::nav {
 namespace {
 
 using Eigen::Vector2d;
+using Eigen::Vector2i;
 using mrpt::maps::COccupancyGridMap2D;
 
 constexpr double progress_m = 0.15;      // nearer by this much is progress
@@ -48,7 +51,8 @@ bool is_driven(const std::deque<Pose2>& trail, const RobotModel& robot, const Ve
 double known_behind_m(const Situation& situation, const RobotModel& robot, const std::deque<Pose2>& trail,
                       double wanted_m) {
     const auto& map = *situation.local_map;
-    const double step_m = map.getResolution();
+    const GridArea area = area_of(map);
+    const double step_m = area.cell_m;
     double rear_m = 0.0;
     double half_m = 0.0;
     for (const Vector2d& corner : robot.footprint_m) {
@@ -58,7 +62,7 @@ double known_behind_m(const Situation& situation, const RobotModel& robot, const
     for (double back_m = 0.0; back_m < wanted_m; back_m += step_m) {
         const double x = rear_m - back_m - step_m;
         for (double y = -half_m - step_m; y <= half_m + step_m; y += step_m) {
-            const double p_free = map.getPos(static_cast<float>(x), static_cast<float>(y));
+            const double p_free = p_free_at(map, area, {x, y});
             if (p_free >= p_known_free) continue;
             const bool driven = is_driven(trail, robot, transform(situation.T_map_robot, {x, y}));
             if (p_free < p_not_occupied || !driven) return back_m;
@@ -73,20 +77,19 @@ COccupancyGridMap2D without_old_obstacles(COccupancyGridMap2D map, const Situati
     const auto& local = *situation.local_map;
     const Vector2d here = position(situation.T_map_robot);
     const Pose2 T_robot_map = inverse(situation.T_map_robot);
-    const double half_m = local.getXMax();
-    const auto index = [&](double m, double low_m, unsigned size) {
-        return std::clamp(static_cast<int>((m - low_m) / map.getResolution()), 0, static_cast<int>(size));
-    };
-    const int x_end = index(here.x() + half_m, map.getXMin(), map.getSizeX());
-    const int y_end = index(here.y() + half_m, map.getYMin(), map.getSizeY());
-    for (int y = index(here.y() - half_m, map.getYMin(), map.getSizeY()); y < y_end; ++y) {
-        for (int x = index(here.x() - half_m, map.getXMin(), map.getSizeX()); x < x_end; ++x) {
+    const Vector2d half_m = Vector2d::Constant(local.getXMax());
+    const GridArea area = area_of(map);
+    const GridArea local_area = area_of(local);
+    const Vector2i size(area.columns, area.rows);
+    const Vector2i low = area.cell_of(here - half_m).cwiseMax(0).cwiseMin(size);
+    const Vector2i high = area.cell_of(here + half_m).cwiseMax(0).cwiseMin(size);
+    for (int y = low.y(); y < high.y(); ++y) {
+        for (int x = low.x(); x < high.x(); ++x) {
             if (map.getCell(x, y) >= p_occupied) continue;
-            const Vector2d p = transform(T_robot_map, {map.idx2x(x), map.idx2y(y)});
-            if (std::max(std::abs(p.x()), std::abs(p.y())) >= half_m) continue;
-            map.setCell(x, y,
-                        std::max(map.getCell(x, y),
-                                 local.getPos(static_cast<float>(p.x()), static_cast<float>(p.y()))));
+            const Vector2d p = transform(T_robot_map, area.middle_of({x, y}));
+            if (p.cwiseAbs().maxCoeff() >= half_m.x()) continue;
+            const auto seen = static_cast<float>(p_free_at(local, local_area, p));
+            map.setCell(x, y, std::max(map.getCell(x, y), seen));
         }
     }
     return map;

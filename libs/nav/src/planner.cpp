@@ -37,15 +37,15 @@ class Search {
         : costs_(costs),
           area_(costs.area()),
           goal_(goal),
-          cost_(static_cast<std::size_t>(area_.columns) * area_.rows, unreached),
+          cost_(area_.size(), unreached),
           parent_(cost_.size(), -1),
-          nearest_(area_.index(from)) {
+          nearest_(index(from)) {
         reach(from, 0.0F, -1);
         run();
     }
 
-    bool reached_goal() const { return cost_[area_.index(goal_)] != unreached; }
-    int end() const { return reached_goal() ? area_.index(goal_) : nearest_; }
+    bool reached_goal() const { return cost_[index(goal_)] != unreached; }
+    int end() const { return reached_goal() ? index(goal_) : nearest_; }
     float cost_of(int index) const { return cost_[index]; }
 
     std::vector<Vector2d> path() const {
@@ -57,19 +57,20 @@ class Search {
     }
 
   private:
-    Vector2i cell(int index) const { return {index % area_.columns, index / area_.columns}; }
+    Vector2i cell(int index) const { return area_.cell_at(static_cast<std::size_t>(index)); }
+    int index(const Vector2i& at) const { return static_cast<int>(area_.index(at)); }
 
     float to_go_m(const Vector2i& from) const {
         return static_cast<float>((goal_ - from).cast<double>().norm() * area_.cell_m);
     }
 
     void reach(const Vector2i& at, float cost, int parent) {
-        const int index = area_.index(at);
-        if (cost >= cost_[index]) return;
-        cost_[index] = cost;
-        parent_[index] = parent;
-        queue_.push({cost + to_go_m(at), index});
-        if (to_go_m(at) < to_go_m(cell(nearest_))) nearest_ = index;
+        const int here = index(at);
+        if (cost >= cost_[here]) return;
+        cost_[here] = cost;
+        parent_[here] = parent;
+        queue_.push({cost + to_go_m(at), here});
+        if (to_go_m(at) < to_go_m(cell(nearest_))) nearest_ = here;
     }
 
     void run() {
@@ -94,7 +95,7 @@ class Search {
     }
 
     const CostMap& costs_;
-    const CellArea& area_;
+    const GridArea& area_;
     Vector2i goal_;
     std::vector<float> cost_;
     std::vector<int> parent_;
@@ -132,7 +133,7 @@ Vector2d way_point(const CostMap& costs, const std::vector<Vector2d>& path_m, co
 
 Plan plan_once(const COccupancyGridMap2D& map, const Vector2d& from_m, const Vector2d& goal_m,
                const RobotModel& robot, const PlanParams& params) {
-    const CellArea area = area_around(map, from_m, goal_m, params);
+    const GridArea area = area_around(map, from_m, goal_m, params);
     const CostMap costs(map, area, robot, params);
     const Vector2i from = area.cell_of(from_m);
     const Vector2i goal =

@@ -22,22 +22,17 @@ struct Passage {
 
 class Sweep {
   public:
-    Sweep(const FootprintField& field, const CellGrid& grid, const SweepParams& params)
-        : field_(field),
-          grid_(grid),
-          params_(params),
-          passages_(static_cast<std::size_t>(grid.columns) * grid.rows) {}
+    Sweep(const FootprintField& field, const GridArea& grid, const SweepParams& params)
+        : field_(field), grid_(grid), params_(params), passages_(grid.size()) {}
 
     void visit(double way, const Pose2& T_robot_there) {
         const Pose2 T_there_robot = inverse(T_robot_there);
         const int reach = static_cast<int>(std::ceil(field_.radius_m() / grid_.cell_m));
-        const auto column =
-            static_cast<int>(std::floor((T_robot_there.x_m - grid_.low_m.x()) / grid_.cell_m));
-        const auto row = static_cast<int>(std::floor((T_robot_there.y_m - grid_.low_m.y()) / grid_.cell_m));
-        for (int r = std::max(0, row - reach); r <= std::min(grid_.rows - 1, row + reach); ++r) {
-            for (int c = std::max(0, column - reach); c <= std::min(grid_.columns - 1, column + reach); ++c) {
-                pass(static_cast<std::size_t>(r) * grid_.columns + c, way,
-                     field_.distance_m(transform(T_there_robot, grid_.middle_of(c, r))));
+        const Eigen::Vector2i at = grid_.cell_of({T_robot_there.x_m, T_robot_there.y_m});
+        for (int r = std::max(0, at.y() - reach); r <= std::min(grid_.rows - 1, at.y() + reach); ++r) {
+            for (int c = std::max(0, at.x() - reach); c <= std::min(grid_.columns - 1, at.x() + reach); ++c) {
+                pass(grid_.index({c, r}), way,
+                     field_.distance_m(transform(T_there_robot, grid_.middle_of({c, r}))));
             }
         }
     }
@@ -72,14 +67,14 @@ class Sweep {
     }
 
     const FootprintField& field_;
-    const CellGrid& grid_;
+    const GridArea& grid_;
     const SweepParams& params_;
     std::vector<Passage> passages_;
 };
 
 }  // namespace
 
-std::vector<LaneCell> sweep(const FootprintField& field, const CellGrid& grid, const PoseOfWay& pose_of,
+std::vector<LaneCell> sweep(const FootprintField& field, const GridArea& grid, const PoseOfWay& pose_of,
                             const SweepParams& params) {
     Sweep cells(field, grid, params);
     const int steps = std::max(1, static_cast<int>(std::ceil(params.end / params.step)));

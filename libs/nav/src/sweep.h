@@ -23,7 +23,7 @@ struct SweepParams {
 ///
 /// A cell that the robot stands on or beside at the beginning only counts as touched once the robot comes
 /// nearer to it: it must be able to leave.
-std::vector<LaneCell> sweep(const FootprintField& field, const CellGrid& grid, const PoseOfWay& pose_of,
+std::vector<LaneCell> sweep(const FootprintField& field, const GridArea& grid, const PoseOfWay& pose_of,
                             const SweepParams& params);
 
 }  // namespace flownav::nav

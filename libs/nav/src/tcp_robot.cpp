@@ -9,7 +9,8 @@ namespace {
 
 using namespace base_protocol;
 
-constexpr double drift = 1e-4;  // of two clocks, seconds per second
+constexpr double drift = 1e-4;      // of two clocks, seconds per second
+constexpr int full_reads_max = 25;  // half a second of the drive's ticks
 
 double system_clock_s() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
@@ -87,10 +88,13 @@ void TcpRobot::greet(double timeout_s) {
 
 std::optional<WheelReading> TcpRobot::odometry() {
     try {
-        lines_.add(socket_.receive());
+        const std::string bytes = socket_.receive();
+        full_reads_ = bytes.size() < TcpSocket::receive_max ? 0 : full_reads_ + 1;
+        lines_.add(bytes);
     } catch (const RobotError& error) {
         lose(error.what());
     }
+    if (full_reads_ >= full_reads_max) lose("it sends faster than can be read");
     newest_.reset();
     while (const std::optional<std::string> line = lines_.next()) {
         heard_s_ = steady_s();

@@ -8,8 +8,11 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <utility>
@@ -25,9 +28,20 @@ constexpr double send_timeout_s = 1.0;
     throw RobotError(what + ": " + std::strerror(error));
 }
 
+using SteadyTime = std::chrono::steady_clock;
+
+/// False only when the time is over: a signal that interrupts the waiting does not end it.
 bool ready(int file, short events, double timeout_s) {
-    pollfd poll_file{file, events, 0};
-    return ::poll(&poll_file, 1, static_cast<int>(timeout_s * 1000.0)) > 0;
+    const auto end = SteadyTime::now() + std::chrono::duration_cast<SteadyTime::duration>(
+                                             std::chrono::duration<double>(std::max(0.0, timeout_s)));
+    while (true) {
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - SteadyTime::now());
+        pollfd poll_file{file, events, 0};
+        const int files = ::poll(&poll_file, 1, static_cast<int>(std::max<std::int64_t>(0, left.count())));
+        if (files > 0) return true;
+        if (files == 0 && SteadyTime::now() >= end) return false;
+        if (files < 0 && errno != EINTR) fail("cannot wait for the other side");
+    }
 }
 
 void prepare(int file) {
@@ -87,11 +101,11 @@ void TcpSocket::send(std::string_view bytes) const {
     }
 }
 
-std::string TcpSocket::receive() const {
+std::string TcpSocket::receive(std::size_t most) const {
     std::string bytes;
     std::array<char, 4096> buffer{};
-    while (true) {
-        const ssize_t size = ::recv(file_, buffer.data(), buffer.size(), 0);
+    while (bytes.size() < most) {
+        const ssize_t size = ::recv(file_, buffer.data(), std::min(buffer.size(), most - bytes.size()), 0);
         if (size > 0) {
             bytes.append(buffer.data(), static_cast<std::size_t>(size));
             continue;
@@ -103,6 +117,7 @@ std::string TcpSocket::receive() const {
         if (size == 0 || errno == ECONNRESET) throw RobotError("the other side closed the connection");
         fail("cannot receive");
     }
+    return bytes;
 }
 
 bool TcpSocket::wait(double timeout_s) const {

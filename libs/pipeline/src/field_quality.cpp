@@ -1,5 +1,6 @@
 #include "field_quality.h"
 
+#include <cmath>
 #include <cstdint>
 
 namespace flownav::pipeline {
@@ -11,7 +12,29 @@ constexpr double saturated_share_max = 0.9;
 constexpr int black = 2;
 constexpr int white = 253;
 
+/// True when the camera describes the image, and every row of it can be read.
+bool has_size_of(const ImageView& image, const CameraModel& camera) {
+    return image.width_px == camera.width_px && image.height_px == camera.height_px &&
+           std::abs(image.stride_bytes) >= image.width_px;
+}
+
+bool is_usable(const CameraModel& c) {
+    double sum = c.fx_px + c.fy_px + c.cx_px + c.cy_px + c.mount.height_m + c.mount.pitch_rad +
+                 c.mount.roll_rad + c.mount.yaw_rad + c.mount.forward_m + c.mount.left_m;
+    for (const double k : c.distortion) sum += k;
+    return std::isfinite(sum) && c.fx_px > 0.0 && c.fy_px > 0.0 && c.mount.height_m > 0.0;
+}
+
 }  // namespace
+
+FieldFault fault_of(const Field& field, const std::optional<double>& before_s) {
+    if (!std::isfinite(field.timestamp_s) || (before_s && field.timestamp_s <= *before_s))
+        return FieldFault::TimeNotRising;
+    if (field.image.empty()) return FieldFault::NoPicture;
+    if (!has_size_of(field.image, field.camera)) return FieldFault::WrongSize;
+    if (!is_usable(field.camera)) return FieldFault::BadCamera;
+    return is_picture(field.image) ? FieldFault::None : FieldFault::NoPicture;
+}
 
 bool is_picture(const ImageView& image) {
     if (image.empty()) return false;

@@ -50,14 +50,35 @@ bool credible(const Impl& s, const Measurement& m, double since_last_s) {
     return e.support_share >= unexpected_share && (prediction_worthless || e.motion.forward_measured);
 }
 
-/// True when a cycle has to end before its time: the view has changed so much that few of its first vectors
-/// are left, or two images could not be compared with the reference.
-bool worn_out(Impl& s) {
-    const EgoMotion& motion = s.step.motion;
+/// Counts how the comparisons with the reference go.
+void note_comparison(Impl& s) {
     const bool ok = s.step.status == FieldStatus::Ok;
     s.failures = ok ? 0 : s.failures + 1;
-    if (ok && s.step.image_of_cycle == 1) s.first_inliers = motion.inliers;
-    return s.failures >= failures_max || (ok && 2 * motion.inliers < s.first_inliers);
+    if (ok && s.step.image_of_cycle == 1) s.first_inliers = s.step.motion.inliers;
+}
+
+/// True when a cycle has to end before its time: the view has changed so much that few of its first vectors
+/// are left, or two images could not be compared with the reference.
+bool worn_out(const Impl& s) {
+    const bool ok = s.step.status == FieldStatus::Ok;
+    return s.failures >= failures_max || (ok && 2 * s.step.motion.inliers < s.first_inliers);
+}
+
+/// The part of an interval during which a motion is still carried over that was not measured for `held_s`
+/// before it.
+double carried_part_s(const Impl& s, double held_s, double interval_s) {
+    return std::clamp(s.params.rate.carry_max_s - held_s, 0.0, interval_s);
+}
+
+/// A motion of which not everything was measured goes on as predicted, but not for ever.
+void stop_carrying(const Impl& s, bool turn_measured, double since_last_s, EgoMotion& motion) {
+    const EgoMotion before = s.cycle.empty() ? EgoMotion{} : s.cycle.back().motion;
+    const double way_s = carried_part_s(s, s.rates.v_held_s, since_last_s);
+    if (!motion.forward_measured && way_s < since_last_s)
+        motion.forward_m = before.forward_m + s.rates.v_mps * way_s;
+    const double turn_s = carried_part_s(s, s.rates.held_s, since_last_s);
+    if (!turn_measured && turn_s < since_last_s)
+        motion.omega_rad = before.omega_rad + s.rates.omega_radps * turn_s;
 }
 
 /// A rotation can be seen far away while the near floor moves so much faster than predicted that no window
@@ -117,11 +138,14 @@ void accept_motion(Impl& s, bool is_credible, const MotionPrediction& prediction
     Step& out = s.step;
     const bool textured = static_cast<int>(s.measured.samples.size()) >= confident_min;
     out.status = !textured ? FieldStatus::NoTexture : is_credible ? FieldStatus::Ok : FieldStatus::Lost;
-    s.rates.known |= out.status == FieldStatus::Ok;
-    s.rates.held_s = out.status == FieldStatus::Ok ? 0.0 : s.rates.held_s + since_last_s;
+    const bool ok = out.status == FieldStatus::Ok;
     const EgoMotion& measured = s.measured.estimate.motion;
-    out.motion = out.status == FieldStatus::Ok ? measured : unmeasured_motion(prediction);
+    out.motion = ok ? measured : unmeasured_motion(prediction);
+    stop_carrying(s, ok, since_last_s, out.motion);
+    s.rates.known |= ok;
+    s.rates.held_s = ok ? 0.0 : s.rates.held_s + since_last_s;
     s.rates.v_known |= out.motion.forward_measured;
+    s.rates.v_held_s = out.motion.forward_measured ? 0.0 : s.rates.v_held_s + since_last_s;
     if (out.motion.forward_measured) {
         s.rates.sigma_v_relative =
             out.motion.sigma_forward_m / std::max(std::abs(out.motion.forward_m), 1e-6);
@@ -134,8 +158,7 @@ void accept_motion(Impl& s, bool is_credible, const MotionPrediction& prediction
     const Derotation derotation(PlaneGeometry(s.reference.field.camera.mount), out.motion.omega_rad,
                                 out.motion.pitch_rad, s.params.motion.geometry);
     const JudgedMotion judged(s.reference.field.camera, out.motion, s.measured.estimate.noise_factor);
-    s.cycle.push_back(
-        {out.motion, derotation, judged, along_arc(0.5 * out.motion.omega_rad, 0.5 * out.motion.forward_m)});
+    s.cycle.push_back({out.motion, derotation, judged, pose_half_way(out.motion)});
 }
 
 void publish_motion(Impl& s, double since_last_s) {
@@ -148,22 +171,27 @@ void publish_motion(Impl& s, double since_last_s) {
     out.cycle_images = s.rates.v_known ? plan_cycle(s.params.rate, out.v_mps * since_last_s, since_last_s)
                                        : blind_cycle_images;
     const bool complete = out.image_of_cycle >= out.cycle_images && out.status == FieldStatus::Ok;
+    note_comparison(s);
     out.end_of_cycle = worn_out(s) || complete;  // an image that could not be compared is no good reference
     out.v_measured = out.motion.forward_measured && out.end_of_cycle;
-    out.T_start_robot = compose(s.T_start_reference,
-                                along_arc(out.motion.omega_rad, out.motion.forward_m, out.motion.chord_rad));
+    out.T_start_robot = compose(s.T_start_reference, pose_after(out.motion));
     s.rates.omega_radps = out.omega_radps;
     s.rates.v_mps = out.v_mps;
     if (out.status == FieldStatus::Ok) s.last_measured = {out.motion, out.timestamp_s};
 }
 
-void carry_over(Impl& s, double since_last_s) {
+void carry_over(Impl& s, double since_picture_s, double since_field_s) {
     Step& out = s.step;
     out.status = FieldStatus::BadField;
-    out.omega_radps = s.rates.omega_radps;
-    out.v_mps = s.rates.v_mps;
+    const double before_s = since_picture_s - since_field_s;
+    const double turn_s = carried_part_s(s, s.rates.held_s + before_s, since_field_s);
+    const double way_s = carried_part_s(s, s.rates.v_held_s + before_s, since_field_s);
+    const bool turns = turn_s > 0.0 || since_field_s == 0.0;
+    const bool drives = way_s > 0.0 || since_field_s == 0.0;
+    out.omega_radps = turns ? s.rates.omega_radps : 0.0;
+    out.v_mps = drives ? s.rates.v_mps : 0.0;
     out.T_start_robot =
-        compose(out.T_start_robot, along_arc(out.omega_radps * since_last_s, out.v_mps * since_last_s));
+        compose(out.T_start_robot, along_arc(s.rates.omega_radps * turn_s, s.rates.v_mps * way_s));
 }
 
 }  // namespace flownav::pipeline

@@ -16,7 +16,8 @@ void accept_motion(State::Impl& s, bool is_credible, const MotionPrediction& pre
 /// Rates and odometry from the motion since the reference; whether the cycle ends.
 void publish_motion(State::Impl& s, double since_last_s);
 
-/// A field that shows nothing: the rates carry the odometry on, the reference stays.
-void carry_over(State::Impl& s, double since_last_s);
+/// A field that shows nothing: the rates carry the odometry on for RateParams::carry_max_s, the reference
+/// stays. `since_picture_s`, `since_field_s`: since the last field that was compared, and since the last one.
+void carry_over(State::Impl& s, double since_picture_s, double since_field_s);
 
 }  // namespace flownav::pipeline

@@ -96,8 +96,7 @@ void publish_movers(State::Impl& s) {
 }  // namespace
 
 void publish_obstacles(State::Impl& s) {
-    const EgoMotion& whole = s.cycle.back().motion;
-    const Pose2 T_end_reference = inverse(along_arc(whole.omega_rad, whole.forward_m));
+    const Pose2 T_end_reference = inverse(pose_after(s.cycle.back().motion));
     const CameraMount& mount = s.reference.field.camera.mount;
     Step& out = s.step;
     for (std::size_t i = 0; i < s.layout.size(); ++i) {

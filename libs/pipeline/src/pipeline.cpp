@@ -102,7 +102,7 @@ void record_vectors(Impl& s, bool is_credible) {
         block.fresh = is_credible && is_confident(vector, s.params.flow);
         if (!block.fresh && block.image_of_cycle > 0) continue;
         block.vector = vector;
-        block.ray = s.measured.rays[i];
+        block.ray = block.fresh ? s.measured.rays[i] : RayFlow{};
         block.fate = block.fresh    ? BlockFate::Unjudged
                      : vector.valid ? BlockFate::Sifted
                                     : BlockFate::Unplaced;
@@ -120,6 +120,50 @@ void clear_outputs(Step& out) {
     out.obstacles.clear();
     out.ground.clear();
     for (BlockRecord& block : out.blocks) block.fresh = false;
+}
+
+/// Enters time and fault of a field; returns the time since the field before.
+double begin_step(Impl& s, const Field& field, FieldFault fault) {
+    s.step.fault = fault;
+    ++s.step.faults[static_cast<std::size_t>(fault)];
+    if (fault == FieldFault::TimeNotRising) {
+        s.step.timestamp_s = std::isfinite(field.timestamp_s) ? field.timestamp_s : s.newest_s.value_or(0.0);
+        return 0.0;
+    }
+    const double since_field_s = s.newest_s ? field.timestamp_s - *s.newest_s : 0.0;
+    s.newest_s = s.step.timestamp_s = field.timestamp_s;
+    return since_field_s;
+}
+
+/// Compares a field with the reference.
+void compare(Impl& s, double since_last_s) {
+    if (s.cycle.empty()) forget_last_cycle(s);
+    s.step.image_of_cycle = static_cast<int>(s.cycle.size()) + 1;
+    const MotionPrediction prediction = predict(s, since_last_s);
+    const bool is_credible = measure_newest(s, prediction, since_last_s);
+    record_vectors(s, is_credible);
+    accept_motion(s, is_credible, prediction, since_last_s);
+    publish_motion(s, since_last_s);
+    judge_blocks(s);
+    observe_pitch(s);
+    if (!s.step.end_of_cycle) return;
+    publish_obstacles(s);
+    begin_cycle(s);
+    learn_pitch(s);
+}
+
+/// Takes in a field that can be used.
+void follow(Impl& s, const Field& field) {
+    const double since_last_s = s.has_reference ? field.timestamp_s - last_picture_s(s) : 0.0;
+    const bool new_camera = !s.has_reference || !same_geometry(s.camera, field.camera);
+    if (new_camera) s.pitch.restart();
+    s.newest = {field, RayMapper(field.camera)};
+    correct_pitch(s, s.newest);
+    if (new_camera || since_last_s > s.params.rate.gap_max_s) {
+        restart(s, new_camera);
+    } else {
+        compare(s, since_last_s);
+    }
 }
 
 Matcher own_matcher(const Params& params) {
@@ -154,37 +198,16 @@ const Step& State::last_step() const {
 
 const Step& step(State& state, const Field& field) {
     Impl& s = state.impl();
-    const double since_field_s = s.has_reference ? field.timestamp_s - s.step.timestamp_s : 0.0;
     clear_outputs(s.step);
-    s.step.timestamp_s = field.timestamp_s;
-    if (!is_picture(field.image)) {
-        carry_over(s, since_field_s);
-        return s.step;
+    const FieldFault fault = fault_of(field, s.newest_s);
+    const double since_field_s = begin_step(s, field, fault);
+    if (fault == FieldFault::None) {
+        follow(s, field);
+    } else {
+        carry_over(s, s.has_reference ? s.newest_s.value_or(0.0) - last_picture_s(s) : 0.0, since_field_s);
     }
-    const double since_last_s = s.has_reference ? field.timestamp_s - last_picture_s(s) : 0.0;
-    const bool new_camera = !s.has_reference || !same_geometry(s.camera, field.camera);
-    if (new_camera) s.pitch.restart();
-    s.newest = {field, RayMapper(field.camera)};
-    correct_pitch(s, s.newest);
-    if (new_camera || since_last_s > s.params.rate.gap_max_s) {
-        restart(s, new_camera);
-        return s.step;
-    }
-    if (s.cycle.empty()) forget_last_cycle(s);
-    s.step.image_of_cycle = static_cast<int>(s.cycle.size()) + 1;
-
-    const MotionPrediction prediction = predict(s, since_last_s);
-    const bool is_credible = measure_newest(s, prediction, since_last_s);
-    record_vectors(s, is_credible);
-    accept_motion(s, is_credible, prediction, since_last_s);
-    publish_motion(s, since_last_s);
-    judge_blocks(s);
-    observe_pitch(s);
-    if (s.step.end_of_cycle) {
-        publish_obstacles(s);
-        begin_cycle(s);
-        learn_pitch(s);
-    }
+    s.carried_error.note(s.step, s.has_reference ? since_field_s : 0.0, s.params.rate.carry_max_s);
+    s.step.carried = s.carried_error.pose();
     return s.step;
 }
 

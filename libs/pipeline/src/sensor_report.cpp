@@ -12,6 +12,7 @@ SensorReport sensor_report(const Step& step, const CameraModel& camera) {
     report.omega_radps = step.omega_radps;
     report.v_mps = step.v_mps;
     report.v_measured = step.v_measured;
+    report.carried_s = step.carried.since_s;
     for (const BlockRecord& block : step.blocks) {
         const double across = block.vector.at_px.x() / camera.width_px;
         const int sector =

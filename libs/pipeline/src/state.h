@@ -1,6 +1,8 @@
 #pragma once
+#include <optional>
 #include <vector>
 
+#include "carried_error.h"
 #include "flownav/flow/block_layout.h"
 #include "flownav/obstacles/movers.h"
 #include "flownav/pipeline/pipeline.h"
@@ -25,6 +27,7 @@ struct Rates {
     bool v_known = false;           ///< v_mps has been measured
     bool known = false;             ///< omega_radps has been measured
     double held_s = 0.0;            ///< for so long it was not
+    double v_held_s = 0.0;          ///< for so long v_mps was not
 };
 
 struct State::Impl {
@@ -36,7 +39,8 @@ struct State::Impl {
     HeldField reference;
     HeldField newest;
     bool has_reference = false;
-    CameraModel camera;  ///< of the layout, as it came with its field
+    std::optional<double> newest_s;  ///< time stamp of the newest field whose time was right
+    CameraModel camera;              ///< of the layout, as it came with its field
     PitchOnline pitch;
 
     BlockLayout layout;
@@ -56,6 +60,7 @@ struct State::Impl {
     std::vector<Judgement> judgements;
     MoverRegions movers;             ///< among the blocks of the running cycle
     std::vector<char> moved_before;  ///< 1: the block belonged to a mover at the end of the last cycle
+    CarriedError carried_error;
     Step step;
 };
 

@@ -20,7 +20,7 @@ std::string row(std::initializer_list<std::string> cells) {
 EgomotionCsv::EgomotionCsv(const std::filesystem::path& path) : file_(path) {
     file_.write(
         "timestamp,status,omega_radps,pitch_rate_radps,v_mps,v_measured,image_of_cycle,placed,confident,"
-        "inliers,ground_window,obstacles\n");
+        "inliers,ground_window,obstacles,carried_s,carried_sigma_m,carried_sigma_rad\n");
 }
 
 void EgomotionCsv::write(const pipeline::Step& step) {
@@ -32,7 +32,9 @@ void EgomotionCsv::write(const pipeline::Step& step) {
                      speed_known ? fixed_text(step.v_mps, 6) : "", step.v_measured ? "1" : "0",
                      std::to_string(step.image_of_cycle), std::to_string(step.counts.placed),
                      std::to_string(step.counts.confident), std::to_string(step.counts.inliers),
-                     std::to_string(step.counts.ground_window), std::to_string(step.obstacles.size())}));
+                     std::to_string(step.counts.ground_window), std::to_string(step.obstacles.size()),
+                     fixed_text(step.carried.since_s, 6), fixed_text(step.carried.sigma_m, 4),
+                     fixed_text(step.carried.sigma_rad, 5)}));
 }
 
 ObstaclesCsv::ObstaclesCsv(const std::filesystem::path& path) : file_(path) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "flownav/replay/number_text.h"
+
 namespace flownav {
 
 const char* end_word(const Drive& drive) {
@@ -41,6 +43,36 @@ std::vector<std::uint64_t> status_counts(const std::vector<FieldRow>& rows) {
     return counts;
 }
 
+CarriedTime carried_time(const std::vector<FieldRow>& rows) {
+    CarriedTime carried;
+    if (rows.empty()) return carried;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const double before_s = rows[i - 1].carried.since_s;
+        carried.total_s += std::max(0.0, rows[i].carried.since_s - before_s);
+        carried.longest_s = std::max(carried.longest_s, rows[i].carried.since_s);
+    }
+    carried.duration_s = rows.back().timestamp_s - rows.front().timestamp_s;
+    carried.sigma_m = rows.back().carried.sigma_m;
+    return carried;
+}
+
+std::string carried_warning(const CarriedTime& carried, double carry_max_s) {
+    constexpr double share_max = 0.02;
+    if (carried.total_s <= share_max * carried.duration_s && carried.longest_s <= carry_max_s) return "";
+    return "the motion could not be measured during " + fixed_text(carried.total_s, 1) + " s of " +
+           fixed_text(carried.duration_s, 1) + " s, for " + fixed_text(carried.longest_s, 1) +
+           " s at a stretch: the pose was carried over for up to " + fixed_text(carry_max_s, 1) +
+           " s (motion.carry_max_s), its end may be off by " + fixed_text(carried.sigma_m, 2) +
+           " m; see carried_s in egomotion.csv";
+}
+
+std::string map_warning(int sets, int sets_outside, double half_m) {
+    if (sets_outside == 0) return "";
+    return "the map lacks " + std::to_string(sets_outside) + " of " + std::to_string(sets) +
+           " cycles, which were seen more than " + fixed_text(half_m, 0) +
+           " m from the start: a larger map.resolution_m reaches farther, at most 1000 m";
+}
+
 const char* explain(FieldStatus status) {
     switch (status) {
         case FieldStatus::Ok:
@@ -54,7 +86,9 @@ const char* explain(FieldStatus status) {
         case FieldStatus::NoTexture:
             return "Too few unambiguous vectors: a smooth floor, darkness or motion blur.";
         case FieldStatus::BadField:
-            return "Black, saturated or constant: not a picture.";
+            return "It cannot be used: no picture (black, saturated or constant), an image that is not as "
+                   "large "
+                   "as its camera says, or a time stamp that does not rise.";
     }
     return "";
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "flownav/mapping/grid_area.h"
 #include "grid_cells.h"
 
 namespace flownav {
@@ -29,10 +30,12 @@ cv::Rect known_part(const Grid& grid) {
 }
 
 cv::Rect path_part(const Grid& grid, const std::vector<FieldRow>& rows) {
+    const GridArea area = area_of(grid);
     cv::Rect part;
     for (const FieldRow& row : rows) {
         const Pose2& pose = row.T_start_robot;
-        part |= cv::Rect(grid.x2idx(pose.x_m), grid.y2idx(pose.y_m), 1, 1);
+        const Eigen::Vector2i cell = area.cell_of({pose.x_m, pose.y_m});
+        part |= cv::Rect(cell.x(), cell.y(), 1, 1);
     }
     return part;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "flownav/mapping/grid_area.h"
 #include "flownav/replay/number_text.h"
 #include "grid_cells.h"
 
@@ -41,9 +42,11 @@ struct Projection {
 
 cv::Mat background(const Grid& grid, const Projection& projection, double size_m, int size_px) {
     const Eigen::Vector2d corner_m = projection.centre_m.array() - size_m / 2.0;
-    const double cell_m = grid.getResolution();
+    const GridArea area = area_of(grid);
+    const double cell_m = area.cell_m;
     const int side = static_cast<int>(std::ceil(size_m / cell_m)) + 2;
-    const cv::Rect part(grid.x2idx(corner_m.x()), grid.y2idx(corner_m.y()), side, side);
+    const Eigen::Vector2i corner = area.cell_of(corner_m);
+    const cv::Rect part(corner.x(), corner.y(), side, side);
     const double zoom = cell_m * projection.px_per_m;
     const Eigen::Vector2d left_top =
         projection({grid.getXMin() + part.x * cell_m, grid.getYMin() + (part.y + part.height) * cell_m});

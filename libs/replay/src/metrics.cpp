@@ -156,6 +156,7 @@ FieldRow row_of(const pipeline::Step& step) {
     row.starts_reference = step.end_of_cycle || step.image_of_cycle == 0;
     row.omega_radps = step.omega_radps;
     row.v_mps = step.v_mps;
+    row.carried = step.carried;
     row.T_start_robot = step.T_start_robot;
     row.placed = step.counts.placed;
     row.confident = step.counts.confident;

@@ -54,7 +54,7 @@ class Run {
         finish();
         clock_.report(timing_);
         outputs_->write_summary(drive_, timing_);
-        return {status(), message(), drive_.camera_check.warnings, outcome()};
+        return {status(), message(), warnings(), outcome()};
     }
 
   private:
@@ -195,6 +195,8 @@ class Run {
         if (!drive_.ground_truth.empty())
             drive_.ground_truth_errors = compare(drive_.rows, drive_.ground_truth);
         drive_.camera_check = checker_.result(drive_.odometry);
+        drive_.field_faults = state_.last_step().faults;
+        add_warnings();
         clock_.report(timing_);
         outputs_->finish(drive_, options_.timing_in_report ? &timing_ : nullptr);
     }
@@ -202,6 +204,21 @@ class Run {
     ExitStatus status() const {
         const bool whole = drive_.end.kind == ReadEnd::Kind::Clean && drive_.stop_reason.empty();
         return whole ? ExitStatus::Fine : ExitStatus::Input;
+    }
+
+    void add_warnings() {
+        const DriveMap& map = outputs_->drive_map();
+        for (const std::string& warning :
+             {carried_warning(carried_time(drive_.rows), options_.config.pipeline.rate.carry_max_s),
+              map_warning(map.sets(), map.sets_outside(), map.half_m())}) {
+            if (!warning.empty()) drive_.warnings.push_back(warning);
+        }
+    }
+
+    std::vector<std::string> warnings() const {
+        std::vector<std::string> all = drive_.warnings;
+        all.insert(all.end(), drive_.camera_check.warnings.begin(), drive_.camera_check.warnings.end());
+        return all;
     }
 
     std::string message() const {

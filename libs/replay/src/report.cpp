@@ -57,6 +57,7 @@ std::string beginning(const Drive& drive) {
         title + "</title>\n<style>\n" + dygraphs_style + report_style + "</style>\n</head>\n<body>\n<h1>" +
         title + "</h1>\n";
     html += box(std::string(end_word(drive)) == "clean", end_sentence(drive));
+    for (const std::string& warning : drive.warnings) html += box(false, warning);
     for (const std::string& warning : drive.camera_check.warnings) html += box(false, warning);
     return html + short_facts(drive);
 }

@@ -56,6 +56,15 @@ Json status_part(const std::vector<FieldRow>& rows) {
     return part;
 }
 
+Json fault_part(const FieldFaultCounts& faults) {
+    Json part;
+    for (const FieldFault fault : all_field_faults) {
+        if (fault == FieldFault::None) continue;
+        part[to_string(fault)] = faults.at(static_cast<std::size_t>(fault));
+    }
+    return part;
+}
+
 Json drive_part(const std::vector<FieldRow>& rows) {
     if (rows.empty()) return nullptr;
     double path_m = 0.0;
@@ -65,12 +74,16 @@ Json drive_part(const std::vector<FieldRow>& rows) {
         path_m += std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
     }
     const Pose2& end = rows.back().T_start_robot;
+    const CarriedTime carried = carried_time(rows);
     return {{"start_s", rounded(rows.front().timestamp_s)},
             {"duration_s", rounded(rows.back().timestamp_s - rows.front().timestamp_s)},
             {"path_m", rounded(path_m)},
             {"end_x_m", rounded(end.x_m)},
             {"end_y_m", rounded(end.y_m)},
-            {"end_heading_deg", rounded(end.yaw_rad * 180.0 / M_PI)}};
+            {"end_heading_deg", rounded(end.yaw_rad * 180.0 / M_PI)},
+            {"carried_s", rounded(carried.total_s)},
+            {"carried_longest_s", rounded(carried.longest_s)},
+            {"carried_sigma_m", rounded(carried.sigma_m)}};
 }
 
 Json errors_part(const std::optional<Errors>& errors) {
@@ -141,9 +154,11 @@ Json summary_facts(const Drive& drive, const Config& config) {
     summary["warnings"] = Json(drive.read.warnings);
     summary["written"] = written_part(drive.written);
     summary["status"] = status_part(drive.rows);
+    summary["bad_fields"] = fault_part(drive.field_faults);
     summary["drive"] = drive_part(drive.rows);
     summary["errors"] = {{"ground_truth", errors_part(drive.ground_truth_errors)},
                          {"odometry", errors_part(drive.odometry_errors)}};
+    summary["doubts"] = Json(drive.warnings);
     summary["camera_check"] = camera_check_part(drive.camera_check);
     summary["config"] = config_part(config);
     return summary;

@@ -57,6 +57,23 @@ void require_range(const char* key, double value, double low, double high, const
     throw ConfigError(text.str());
 }
 
+/// Focal lengths below 0.04 of the image see more than 171 degrees: no lens of this model does.
+void require_pixels(const CameraModel& c) {
+    constexpr double shortest = 0.04;
+    constexpr double longest_px = 50000.0;
+    const char* const pixels =
+        "are these pixels? Values in millimetres, or shares of the image, have to be turned into pixels of "
+        "this image. Correct the recorded cameraParams, or set camera.fx_px, fy_px, cx_px and cy_px";
+    require_range("camera.fx_px", c.fx_px, std::max(1.0, shortest * c.width_px), longest_px, pixels);
+    require_range("camera.fy_px", c.fy_px, std::max(1.0, shortest * c.height_px), longest_px, pixels);
+    require_range("camera.cx_px", c.cx_px, -2.0 * c.width_px, 3.0 * c.width_px, pixels);
+    require_range("camera.cy_px", c.cy_px, -2.0 * c.height_px, 3.0 * c.height_px, pixels);
+    for (const double k : c.distortion) {
+        require_range("camera.distortion", k, -100, 100,
+                      "this bends no lens. Correct the recorded distortion or set camera.distortion");
+    }
+}
+
 void require_usable_mount(const CameraMount& m) {
     require_range("camera.height_m", m.height_m, 0.01, 20,
                   "the camera's height over the ground in metres. Correct the recorded cameraPose or set "
@@ -67,6 +84,13 @@ void require_usable_mount(const CameraMount& m) {
     require_range("camera.roll_deg", m.roll_rad / deg, -10, 10,
                   "a camera tilted sideways this far is not compensated. Correct the recorded cameraPose or "
                   "set camera.roll_deg");
+    require_range(
+        "camera.forward_m", m.forward_m, -10, 10,
+        "the camera's place ahead of the robot's axis in metres. Correct the recorded cameraPose or "
+        "set camera.forward_m");
+    require_range("camera.left_m", m.left_m, -10, 10,
+                  "the camera's place beside the robot's axis in metres. Correct the recorded cameraPose or "
+                  "set camera.left_m");
     require_range("camera.yaw_deg", m.yaw_rad / deg, -10, 10,
                   "the camera has to look ahead. Correct the recorded cameraPose or set camera.yaw_deg");
 }
@@ -120,6 +144,7 @@ CameraModel merged(const Recorded& r, const CameraConfig& c, int width_px, int h
     camera.distortion = c.distortion.value_or(r.distortion);
     camera.mount = merged_mount(r, c);
     require_finite(camera);
+    require_pixels(camera);
     require_usable_mount(camera.mount);
     return camera;
 }

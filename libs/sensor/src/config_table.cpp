@@ -107,6 +107,9 @@ std::vector<Key> motion_keys() {
                        {0.001, 10}, AT(pipeline.rate.travel_m)),
         number<double>({"motion", "gap_max_s", "s", "a longer pause between images starts afresh"},
                        {0.01, 60}, AT(pipeline.rate.gap_max_s)),
+        number<double>({"motion", "carry_max_s", "s",
+                        "for so long an unmeasured motion goes on as before; then the odometry stops"},
+                       {0, 60}, AT(pipeline.rate.carry_max_s)),
     };
 }
 

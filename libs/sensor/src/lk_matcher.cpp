@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/video/tracking.hpp>
 
+#include "flownav/flow/block_bounds.h"
 #include "flownav/flow/match_blocks.h"
 
 namespace flownav {
@@ -152,7 +153,7 @@ void LkMatcher::operator()(const ImageView& reference, const ImageView& newer, c
     std::vector<Eigen::Vector2i> bias_px(n);
     Points at(n), displacements(n);
     for (std::size_t i = 0; i < n; ++i) {
-        bias_px[i] = predicted_px[i].array().round().cast<int>();
+        bias_px[i] = whole_px(predicted_px[i]);
         at[i] = to_cv(layout.centre_px[i]);
         displacements[i] = to_cv(predicted_px[i]);
     }

@@ -28,6 +28,7 @@ using mrpt::opengl::CFBORender;
 constexpr float near_m = 0.03F;
 constexpr float far_m = 400.0F;
 constexpr double sky_grey = 215.0;
+constexpr int columns_step = 4;
 
 void check(const CameraSimParams& params) {
     const CameraModel& camera = params.camera;
@@ -36,7 +37,8 @@ void check(const CameraSimParams& params) {
     };
     if (camera.width_px < 16 || camera.height_px < 16 || camera.width_px > 4096 || camera.height_px > 4096)
         fail("width and height must be 16..4096 px");
-    if (!(camera.fx_px > 0.0) || !(camera.fy_px > 0.0)) fail("fx and fy must be > 0 px");
+    if (!(camera.fx_px > 0.04 * camera.width_px) || !(camera.fy_px > 0.04 * camera.height_px))
+        fail("camera.fx_px and fy_px must be > 0.04 of the image's width and height: are these pixels?");
     if (!(camera.mount.height_m > 0.0)) fail("height must be > 0 m");
     if (params.supersampling < 1 || params.supersampling > 4) fail("supersampling must be 1..4");
     const CameraEffects& e = params.effects;
@@ -75,6 +77,13 @@ CCamera to_mrpt(const Pinhole& pinhole, cv::Size size, const Isometry3d& T_world
     return camera;
 }
 
+/// The next width at which three bytes a pixel fill whole words of four bytes. OpenGL pads the rows that it
+/// reads back to such words, while MRPT provides rows without gaps: of another width they would be written
+/// beyond the end of the picture.
+int readable_width(int width_px) {
+    return (width_px + columns_step - 1) / columns_step * columns_step;
+}
+
 }  // namespace
 
 CameraModel image_camera(const CameraSimParams& params, int image) {
@@ -108,6 +117,7 @@ struct CameraSimulator::Impl {
             const cv::Size needed = lenses[parity].pinhole.size_px;
             size = {std::max(size.width, needed.width), std::max(size.height, needed.height)};
         }
+        size.width = readable_width(size.width);
         meshes = std::make_shared<WorldScene>(world);
         scene.insert(meshes);
         constexpr auto sky = static_cast<float>(sky_grey / 255.0);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "flownav/core/grid2d.h"
 #include "flownav/sim/plan_view.h"
 
 namespace flownav::sim {
@@ -38,20 +39,24 @@ AlignedBox2d extent(const PlanShape& shape) {
 /// Cells of the ground: where the middle of the disc may be.
 class Ground {
   public:
-    explicit Ground(const AlignedBox2d& area)
-        : low_m_(area.min()), size_(((area.max() - area.min()) / cell_m).cast<int>() + Vector2i::Ones()) {
-        open_.assign(static_cast<std::size_t>(size_.x()) * static_cast<std::size_t>(size_.y()), true);
+    explicit Ground(const AlignedBox2d& area) {
+        area_.origin_m = area.min();
+        area_.cell_m = cell_m;
+        area_.columns = static_cast<int>(area.sizes().x() / cell_m) + 1;
+        area_.rows = static_cast<int>(area.sizes().y() / cell_m) + 1;
+        open_.assign(area_.size(), true);
     }
 
     void block(const PlanShape& shape, double radius_m) {
         const AlignedBox2d box = extent(shape);
-        const Vector2i from = cell(box.min() - Vector2d::Constant(radius_m)).cwiseMax(0);
-        const Vector2i to = cell(box.max() + Vector2d::Constant(radius_m)).cwiseMin(size_ - Vector2i::Ones());
+        const Vector2i last(area_.columns - 1, area_.rows - 1);
+        const Vector2i from = area_.cell_of(box.min() - Vector2d::Constant(radius_m)).cwiseMax(0);
+        const Vector2i to = area_.cell_of(box.max() + Vector2d::Constant(radius_m)).cwiseMin(last);
         for (int y = from.y(); y <= to.y(); ++y) {
             for (int x = from.x(); x <= to.x(); ++x) {
-                const Vector2d middle = low_m_ + cell_m * Vector2d(x + 0.5, y + 0.5);
+                const Vector2d middle = area_.middle_of({x, y});
                 const double off_m = std::visit([&](const auto& s) { return distance_m(s, middle); }, shape);
-                if (off_m < radius_m) open_[index({x, y})] = false;
+                if (off_m < radius_m) open_[area_.index({x, y})] = false;
             }
         }
     }
@@ -60,12 +65,12 @@ class Ground {
     bool connects(const Vector2d& a_m, const Vector2d& b_m) {
         std::vector<Vector2i> front;
         const auto enter = [&](const Vector2i& c) {
-            if (c.minCoeff() < 0 || c.x() >= size_.x() || c.y() >= size_.y() || !open_[index(c)]) return;
-            open_[index(c)] = false;
+            if (!area_.contains(c) || !open_[area_.index(c)]) return;
+            open_[area_.index(c)] = false;
             front.push_back(c);
         };
-        const Vector2i goal = cell(b_m);
-        enter(cell(a_m));
+        const Vector2i goal = area_.cell_of(b_m);
+        enter(area_.cell_of(a_m));
         while (!front.empty()) {
             const Vector2i at = front.back();
             front.pop_back();
@@ -77,14 +82,7 @@ class Ground {
     }
 
   private:
-    Vector2i cell(const Vector2d& p) const { return ((p - low_m_) / cell_m).array().floor().cast<int>(); }
-    std::size_t index(const Vector2i& c) const {
-        return static_cast<std::size_t>(c.y()) * static_cast<std::size_t>(size_.x()) +
-               static_cast<std::size_t>(c.x());
-    }
-
-    Vector2d low_m_;
-    Vector2i size_;
+    GridArea area_;
     std::vector<bool> open_;
 };
 

@@ -197,8 +197,8 @@ void Scenario::break_drive(SimulatedDriveOptions& drive, const FaultPlan& plan, 
     };
     // Before the mover the guard is to stop, not the navigator, which drives on blindly.
     const MotionCommand blindly{drive.config.navigation.robot.v_max_mps, 0.0};
-    faults.navigator = [plan, blindly](double time_s,
-                                       const MotionCommand& proposed) -> std::optional<MotionCommand> {
+    drive.navigator = [plan, blindly](double time_s,
+                                      const MotionCommand& proposed) -> std::optional<MotionCommand> {
         if (plan.fault == Fault::NavigatorHung && plan.holds(time_s)) return std::nullopt;
         return plan.fault == Fault::Mover && plan.holds(time_s) ? blindly : proposed;
     };

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "faults.h"
-#include "simulated_drive.h"
+#include "flownav/drive/simulated_drive.h"
 
 namespace flownav {
 

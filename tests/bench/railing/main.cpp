@@ -6,10 +6,10 @@
 #include <iostream>
 
 #include "flownav/core/version.h"
+#include "flownav/drive/simulated_drive.h"
 #include "flownav/replay/number_text.h"
 #include "flownav/replay/output_file.h"
 #include "flownav/sim/sdf_world.h"
-#include "simulated_drive.h"
 #include "svg_chart.h"
 
 namespace flownav {

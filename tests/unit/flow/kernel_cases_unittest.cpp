@@ -1,13 +1,12 @@
 // Every kernel gives exactly what the portable one gives, whatever it is given.
 #include <gtest/gtest.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <ostream>
 #include <random>
 
 #include "flownav/flow/kernel.h"
+#include "guarded_memory.h"
 
 namespace flownav {
 
@@ -17,31 +16,11 @@ void PrintTo(const KernelEntry& kernel, std::ostream* out) {
 
 namespace {
 
+using testing::GuardedMemory;
+
 constexpr int cases = 10000;
 constexpr int margin_px = 24;  // of the image around the block
 constexpr int image_px = block_px + 2 * margin_px;
-
-/// Memory whose first and last bytes lie beside pages that must not be touched.
-class GuardedMemory {
-  public:
-    explicit GuardedMemory(std::size_t pages) : page_(sysconf(_SC_PAGESIZE)), bytes_((pages + 2) * page_) {
-        void* memory = mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-        if (memory == MAP_FAILED) throw std::bad_alloc();
-        all_ = static_cast<std::uint8_t*>(memory);
-        mprotect(all_, page_, PROT_NONE);
-        mprotect(all_ + bytes_ - page_, page_, PROT_NONE);
-    }
-    ~GuardedMemory() { munmap(all_, bytes_); }
-    GuardedMemory(const GuardedMemory&) = delete;
-    GuardedMemory& operator=(const GuardedMemory&) = delete;
-
-    std::uint8_t* begin() const { return all_ + page_; }
-    std::uint8_t* end() const { return all_ + bytes_ - page_; }
-
-  private:
-    std::size_t page_, bytes_;
-    std::uint8_t* all_ = nullptr;
-};
 
 /// An image that ends (or begins) exactly where the memory does.
 struct Image {
@@ -105,22 +84,22 @@ SearchRange some_range(std::mt19937& random) {
     return {mu_min, mu_max, nu_min, nu_max};
 }
 
-testing::AssertionResult same(const BlockMatch& p, const BlockMatch& q) {
+::testing::AssertionResult same(const BlockMatch& p, const BlockMatch& q) {
     const auto all = [](const BlockMatch& m) {
         return std::array<long, 9>{m.minimum, m.second, m.sum, m.mu, m.nu, m.left, m.right, m.above, m.below};
     };
-    if (all(p) == all(q)) return testing::AssertionSuccess();
-    return testing::AssertionFailure()
-           << testing::PrintToString(all(p)) << " against " << testing::PrintToString(all(q));
+    if (all(p) == all(q)) return ::testing::AssertionSuccess();
+    return ::testing::AssertionFailure()
+           << ::testing::PrintToString(all(p)) << " against " << ::testing::PrintToString(all(q));
 }
 
-class EveryKernel : public testing::TestWithParam<KernelEntry> {};
+class EveryKernel : public ::testing::TestWithParam<KernelEntry> {};
 
-std::string name_of(const testing::TestParamInfo<KernelEntry>& info) {
+std::string name_of(const ::testing::TestParamInfo<KernelEntry>& info) {
     return info.param.name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Kernels, EveryKernel, testing::ValuesIn(kernel_table()), name_of);
+INSTANTIATE_TEST_SUITE_P(Kernels, EveryKernel, ::testing::ValuesIn(kernel_table()), name_of);
 
 TEST_P(EveryKernel, GivesWhatThePortableOneGives) {
     const KernelEntry& kernel = GetParam();

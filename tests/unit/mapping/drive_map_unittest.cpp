@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "flownav/mapping/fusion.h"
+#include "flownav/mapping/local_map.h"
 #include "obstacle_sets.h"
 
 namespace flownav {
@@ -100,13 +102,42 @@ TEST(DriveMap, TakesItsResolutionFromTheParameters) {
     EXPECT_NEAR(DriveMap(params).grid().getResolution(), 0.05, 1e-6);
 }
 
-TEST(DriveMap, ABrokenOdometryDoesNotEatTheMemory) {
+TEST(DriveMap, ARobotTooFarFromTheStartIsLeftOutAndCounted) {
     MapParams coarse;
     coarse.resolution_m = 2.0;
     DriveMap map(coarse);
-    map.insert(set_seeing(1e7, 1.0, {1e7, -1e7, 0.0}));
-    EXPECT_LT(map.grid().getXMax(), 1100.0);
-    EXPECT_GT(map.grid().getYMin(), -1100.0);
+    map.insert(set_seeing(1.0, 1.0, {}));
+    for (const double broken : {1e7, 1e300, std::numeric_limits<double>::quiet_NaN()})
+        map.insert(set_seeing(broken, 1.0, {broken, -1e7, 0.0}));
+    EXPECT_EQ(map.sets(), 4);
+    EXPECT_EQ(map.sets_outside(), 3);
+    EXPECT_LT(map.grid().getXMax(), 10.0);
+}
+
+/// At the finest resolution 2000 m would be more cells than MRPT can count.
+TEST(DriveMap, TheFinestMapEndsWhereItsCellsCanStillBeCounted) {
+    MapParams fine;
+    fine.resolution_m = 0.02;
+    DriveMap map(fine);
+    EXPECT_NEAR(map.half_m(), 200.0, 1e-9);
+    for (const double side : {-1.0, 1.0}) {
+        const double x_m = side * 199.5;
+        for (int i = 0; i < 2; ++i) map.insert(set_seeing(x_m, 0.05, {x_m - 1.0, 0.0, 0.0}));
+        EXPECT_GT(occupancy(map.grid(), x_m + 0.005, 0.055), 0.7) << side;
+    }
+    EXPECT_LE(map.grid().getSizeX(), 20001U);
+    map.insert(set_seeing(250.0, 0.05, {249.0, 0.0, 0.0}));
+    EXPECT_EQ(map.sets_outside(), 1);
+}
+
+TEST(LocalMap, APoseThatIsNoNumberOrFarAwayChangesNothing) {
+    LocalMap map({});
+    for (int i = 0; i < 2; ++i) map.insert(set_seeing(1.25, 0.05, {}));
+    for (const double broken : {1e12, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+        map.insert(set_seeing(broken, 0.0, {broken, 0.0, 0.0}));
+        map.redraw({0.0, broken, 0.0});
+    }
+    EXPECT_EQ(occupied_cells(map.grid()), 1);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "course.h"
 
@@ -105,6 +106,37 @@ TEST(FreeWay, KindsFollowTheLimits) {
     EXPECT_EQ(kinds[1], CellKind::Weak);
     EXPECT_EQ(kinds[2], CellKind::Unknown);
     EXPECT_EQ(kinds[3], CellKind::Free);
+}
+
+/// A robot that is longer than the map around it.
+TEST(FreeWay, OfARobotThatReachesBeyondTheMapOnAllSides) {
+    const Polygon large = {{-1.5, -1.5}, {1.5, -1.5}, {1.5, 1.5}, {-1.5, 1.5}};
+    const FootprintField field_of_large(large, 0.1);
+    COccupancyGridMap2D map(-1.0F, 1.0F, -1.0F, 1.0F, 0.05F);
+    map.fill(0.9F);
+    for (const MotionCommand& command :
+         {MotionCommand{0.4, 0.0}, {-0.1, 0.0}, {0.4, 0.3}, {0.0, 0.5}, {0.0, -0.5}}) {
+        const FreeWay way = free_way(field_of_large, map, command, FreeWayParams());
+        EXPECT_LE(way.unseen, 0.6) << "nobody saw what lies outside the map";
+        EXPECT_GE(way.occupied, 1.0) << "nothing stands in the map";
+    }
+}
+
+TEST(FreeWay, WhatLiesOutsideTheMapIsUnseenOnEachSide) {
+    COccupancyGridMap2D map(-1.0F, 1.0F, -1.0F, 1.0F, 0.05F);
+    map.fill(0.9F);
+    const double to_border_m = 1.0 - 0.25;
+    EXPECT_NEAR(way(map, {0.4, 0.0}).unseen, to_border_m, 0.1);
+    EXPECT_NEAR(way(map, {-0.1, 0.0}).unseen, to_border_m, 0.1);
+}
+
+TEST(FootprintField, FarAwayOrNowhereIsOutside) {
+    constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+    for (const double far_m : {1e3, 1e9, 1e300, nowhere}) {
+        EXPECT_EQ(field().distance_m({far_m, 0.0}), field().reach_m());
+        EXPECT_EQ(field().distance_m({0.0, far_m}), field().reach_m());
+        EXPECT_EQ(field().distance_m({-far_m, -far_m}), field().reach_m());
+    }
 }
 
 }  // namespace

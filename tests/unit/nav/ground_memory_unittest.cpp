@@ -63,5 +63,25 @@ TEST(GroundMemory, WhereTheRobotStandsNothingElseDoes) {
     EXPECT_EQ(memory.at(Vector2d(0.05, 0.05), 1.0), Ground::Driven);
 }
 
+/// A map whose first column and row are occupied says nothing of the strip of a cell outside it.
+TEST(GroundMemory, BesideTheMapNothingIsKnown) {
+    COccupancyGridMap2D map = silent_map();
+    for (unsigned i = 0; i < map.getSizeX(); ++i) {
+        const int last = static_cast<int>(map.getSizeX()) - 1;
+        for (const int border : {0, last}) {
+            map.setCell(border, static_cast<int>(i), 0.1F);
+            map.setCell(static_cast<int>(i), border, 0.1F);
+        }
+    }
+    GroundMemory memory{GroundMemoryParams{}};
+    memory.note(map, 0.0, here);
+    for (const double side : {-1.0, 1.0}) {
+        EXPECT_EQ(memory.at(Vector2d(side * 2.98, 0.52), 0.0), Ground::Occupied) << side;
+        EXPECT_EQ(memory.at(Vector2d(0.52, side * 2.98), 0.0), Ground::Occupied) << side;
+        EXPECT_EQ(memory.at(Vector2d(side * 3.03, 0.52), 0.0), Ground::Unknown) << side;
+        EXPECT_EQ(memory.at(Vector2d(0.52, side * 3.03), 0.0), Ground::Unknown) << side;
+    }
+}
+
 }  // namespace
 }  // namespace flownav::nav

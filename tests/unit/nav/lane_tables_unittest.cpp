@@ -28,8 +28,7 @@ const LaneTables& tables() {
 }
 
 Vector2d middle_of(const LaneTables& of, std::uint32_t index) {
-    const auto columns = static_cast<std::uint32_t>(of.grid.columns);
-    return of.grid.middle_of(static_cast<int>(index % columns), static_cast<int>(index / columns));
+    return of.grid.middle_of(of.grid.cell_at(index));
 }
 
 /// Distance of the footprint to a point after some way along a lane.
@@ -55,7 +54,7 @@ void expect_as_swept(const LaneTables& of, const Lane& lane) {
     EXPECT_EQ(cells.size(), lane.cells.size());  // every cell once
     for (int row = 0; row < of.grid.rows; ++row) {
         for (int column = 0; column < of.grid.columns; ++column) {
-            const Vector2d p = of.grid.middle_of(column, row);
+            const Vector2d p = of.grid.middle_of({column, row});
             if (distance_m(of, lane, 0.0, p) < of.layout.margin_m + 0.02) continue;  // beside the robot
             const auto index = static_cast<std::uint32_t>(row * of.grid.columns + column);
             const bool touched = cells.count(index) > 0 && cells[index].gap == 0;

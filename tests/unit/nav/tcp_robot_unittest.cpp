@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <csignal>
 #include <thread>
 
 #include "flownav/nav/watchdog.h"
@@ -203,6 +204,67 @@ TEST(TcpRobot, ASilentBaseIsLost) {
         }
     });
     EXPECT_NE(error.find("silent"), std::string::npos) << error;
+}
+
+TEST(TcpSocket, ReadsNoMoreAtATimeThanItIsTold) {
+    const TcpListener listener(0);
+    const TcpSocket socket("127.0.0.1", std::to_string(listener.port()), 30.0);
+    ASSERT_TRUE(listener.wait(30.0));
+    const TcpSocket other = listener.accept();
+    other.send(std::string(100000, 'x'));
+    std::size_t received = 0;
+    while (received < 100000) {
+        ASSERT_TRUE(socket.wait(30.0));
+        const std::size_t size = socket.receive().size();
+        EXPECT_LE(size, TcpSocket::receive_max);
+        received += size;
+    }
+    other.send("0123456789");
+    ASSERT_TRUE(socket.wait(30.0));
+    EXPECT_EQ(socket.receive(4), "0123");
+    EXPECT_EQ(socket.receive(4), "4567");
+    EXPECT_EQ(socket.receive(4), "89");
+}
+
+TEST(TcpRobot, ABaseThatFloodsIsLost) {
+    std::string flood = "hello flownav-base 1 300\n";
+    for (int i = 0; i < 40000; ++i) flood += "odometry 1 2 3 0.5 0.1 0.2\n";
+    const Scripted base(flood);
+    TcpRobot robot(base.address());
+    const std::string error = error_of([&] {
+        for (int i = 0; i < 100000; ++i) {
+            robot.wait(1.0);
+            robot.odometry();
+        }
+    });
+    EXPECT_NE(error.find("faster than can be read"), std::string::npos) << error;
+}
+
+/// Does nothing, but interrupts.
+void interrupt(int /*signal*/) {}
+
+TEST(TcpSocket, ASignalDoesNotEndTheWaiting) {
+    struct sigaction action {};
+    action.sa_handler = interrupt;  // without SA_RESTART
+    struct sigaction before {};
+    ASSERT_EQ(sigaction(SIGUSR1, &action, &before), 0);
+    const TcpListener listener(0);
+    const TcpSocket socket("127.0.0.1", std::to_string(listener.port()), 30.0);
+    ASSERT_TRUE(listener.wait(30.0));
+    const TcpSocket other = listener.accept();
+    const pthread_t waiting = pthread_self();
+    std::atomic<bool> goes_on{true};
+    std::thread disturber([&] {
+        for (int i = 0; i < 200 && goes_on; ++i) {
+            pthread_kill(waiting, SIGUSR1);
+            std::this_thread::yield();
+        }
+        other.send("at last");
+    });
+    EXPECT_TRUE(socket.wait(30.0)) << "a signal counted as the end of the time";
+    goes_on = false;
+    disturber.join();
+    sigaction(SIGUSR1, &before, nullptr);
 }
 
 TEST(TcpRobot, WhoeverIsNoBaseIsRefused) {

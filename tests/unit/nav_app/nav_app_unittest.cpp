@@ -9,10 +9,11 @@
 #include <sstream>
 
 #include "app_runs.h"
+#include "drive_files.h"
+#include "flownav/drive/simulated_drive.h"
 #include "flownav/replay/drive_recording.h"
 #include "flownav/replay/replay.h"
 #include "flownav/sim/generate_world.h"
-#include "simulated_drive.h"
 
 namespace flownav {
 namespace {
@@ -22,7 +23,10 @@ namespace fs = std::filesystem;
 using AppOutcome = testing::Outcome;
 
 AppOutcome run(const std::vector<std::string>& arguments) {
-    return testing::run_app(run_nav_app, "flownav-nav", arguments);
+    const auto app = [](const std::vector<std::string>& of, std::ostream& out, std::ostream& error) {
+        return run_nav_app(of, out, error);
+    };
+    return testing::run_app(app, "flownav-nav", arguments);
 }
 
 fs::path folder() {
@@ -60,8 +64,38 @@ TEST(NavApp, BadUsageNamesTheOptionAndWhatIsAllowed) {
     EXPECT_NE(error(hall({"--fov-deg", "170"})).find("10 .. 140"), std::string::npos);
     EXPECT_NE(error({"--generate", "hall", "--sensor", "sonar"}).find("sonar"), std::string::npos);
     EXPECT_NE(error(hall({"--navigator", "sails"})).find("lanes | reactive"), std::string::npos);
-    EXPECT_NE(error({"--robot", "tcp:here:1"}).find("--camera"), std::string::npos);
+    EXPECT_NE(error({"--robot", "tcp:here:1", "--goal", "1,2"}).find("--camera"), std::string::npos);
+    EXPECT_NE(error({"--robot", "udp:here:1", "--goal", "1,2"}).find("tcp:HOST:PORT"), std::string::npos);
+    EXPECT_NE(error({"--robot", "tcp:here:1", "--generate", "hall"}).find("only with --robot sim"),
+              std::string::npos);
+    EXPECT_NE(error(hall({"--camera", "cam.ini"})).find("--camera"), std::string::npos);
     EXPECT_NE(error(hall({"--nonsense"})).find("--help"), std::string::npos);
+}
+
+TEST(NavApp, ARobotWithoutRoomInItsMapIsRefusedBeforeAnythingIsWritten) {
+    const fs::path out = folder() / "drive";
+    for (const char* navigator : {"lanes", "reactive"}) {
+        const AppOutcome result =
+            run(hall({"--navigator", navigator, "--output", out.string(), "--set", "map.size_m=2", "--set",
+                      "navigation.footprint_m=-1.5 -0.3 1.5 -0.3 1.5 0.3 -1.5 0.3"}));
+        EXPECT_EQ(result.status, 1);
+        EXPECT_NE(result.error.find("map.size_m = 2: too small"), std::string::npos) << result.error;
+        EXPECT_FALSE(fs::exists(out));
+    }
+}
+
+TEST(NavApp, ASimulatedDriveThatIsToldToStopKeepsEverything) {
+    const fs::path out = folder();
+    int asked = 0;
+    bool released = false;
+    const StopRequest stop{[&] { return ++asked > 50; }, [&] { released = true; }};
+    std::ostringstream text, error;
+    const int status =
+        run_nav_app({"flownav-nav", "--generate", "hall", "--sensor", "lidar", "--output", out.string()},
+                    stop, text, error);
+    EXPECT_EQ(status, 7) << error.str();
+    EXPECT_TRUE(released);
+    EXPECT_EQ(nlohmann::json::parse(content(out / "result.json"))["outcome"], "stopped");
 }
 
 TEST(NavApp, WhatCannotBeReadIsNamed) {
@@ -104,6 +138,18 @@ TEST(NavApp, ADriveThatSeesIsRecordedAndReplayedIntoItsReport) {
         EXPECT_GT(fs::file_size(out / name), 100U) << name;
     const auto summary = nlohmann::json::parse(content(out / "summary.json"));
     EXPECT_LT(std::abs(summary["errors"]["ground_truth"]["v_bias_percent"].get<double>()), 3.0);
+}
+
+TEST(NavApp, TheScoreIsThatOfTheBenchmark) {
+    DriveResult result;
+    result.outcome = Outcome::Reached;
+    const double path_m = 10.0;  // 5 s at best
+    for (const auto& [time_s, score] : {std::pair{4.0, 0.5}, {10.0, 0.5}, {20.0, 0.25}, {90.0, 0.125}}) {
+        result.time_s = time_s;
+        EXPECT_NEAR(barn_score(result, path_m), score, 1e-9);
+    }
+    result.outcome = Outcome::Collision;
+    EXPECT_EQ(barn_score(result, path_m), 0.0);
 }
 
 /// Records a drive, and keeps the obstacle points that the robot saw while it drove.

@@ -293,6 +293,34 @@ TEST(FieldSource, UnusableCameraPosesAreErrorsThatNameKeyValueAndRange) {
     EXPECT_EQ(config_error_of_pose(0, 0.5, 5, 10, -5), "");
 }
 
+TEST(FieldSource, IntrinsicsThatAreNoPixelsAreErrorsThatAskForThem) {
+    const auto error_of = [](double fx, double fy, double cx, double cy) {
+        auto image = image_at(1);
+        image->cameraParams.setIntrinsicParamsFromValues(fx, fy, cx, cy);
+        return config_error({image});
+    };
+    const double w = image_at(1)->image.getWidth();
+    const double h = image_at(1)->image.getHeight();
+    expect_names(error_of(1.1, 1.4, 0.5, 0.5), {"camera.fx_px", "1.1", "are these pixels?"});
+    expect_names(error_of(w, 1.4, w / 2, h / 2), {"camera.fy_px", "1.4", "are these pixels?"});
+    expect_names(error_of(w, w, 4 * w, h / 2), {"camera.cx_px", "are these pixels?"});
+    expect_names(error_of(w, w, w / 2, -3 * h), {"camera.cy_px", "are these pixels?"});
+    expect_names(error_of(1e6, 1e6, w / 2, h / 2), {"camera.fx_px", "50000"});
+    EXPECT_EQ(error_of(0.3 * w, 0.3 * w, w / 2, h / 2), "");
+}
+
+TEST(FieldSource, IntrinsicsOfTheIniAreCheckedAgainstTheImageAsWell) {
+    CameraConfig config;
+    config.fx_px = config.fy_px = 2.4;
+    expect_names(config_error({image_at(1)}, config), {"camera.fx_px", "2.4", "are these pixels?"});
+}
+
+TEST(FieldSource, ADistortionThatBendsNoLensIsAnError) {
+    auto image = image_at(1);
+    image->cameraParams.setDistortionPlumbBob(1e9, 0, 0, 0, 0);
+    expect_names(config_error({image}), {"camera.distortion", "-100 .. 100"});
+}
+
 TEST(FieldSource, AnglesAndOffsetsComeBackFromAPose) {
     auto image = image_at(1);
     image->cameraPose = mrpt::poses::CPose3D(0.3, -0.1, 0.9, 4 * deg, 25 * deg, -6 * deg) +

@@ -186,5 +186,35 @@ TEST(Config, MarkdownHasARowPerKeyAndNoStrayColumn) {
     EXPECT_EQ(static_cast<std::size_t>(rows), config_keys().size() + 2);
 }
 
+TEST(Config, ALocalMapOfTooManyCellsIsRefused) {
+    Config config;
+    EXPECT_NO_THROW(check_map(config));
+    config.map.size_m = 100.0;
+    config.map.resolution_m = 0.02;
+    try {
+        check_map(config);
+        FAIL() << "was taken";
+    } catch (const ConfigError& error) {
+        EXPECT_EQ(
+            std::string(error.what()),
+            "map.size_m = 100: with map.resolution_m = 0.02 these are 5000 cells across; allowed: up to "
+            "2000, that is map.size_m <= 40");
+    }
+}
+
+TEST(Config, ARobotWithoutRoomInTheLocalMapIsRefused) {
+    Config config;
+    EXPECT_NO_THROW(check_navigation(config));
+    config.map.size_m = 2.0;
+    config.navigation.robot.footprint_m = {{-1.5, -0.3}, {1.5, -0.3}, {1.5, 0.3}, {-1.5, 0.3}};
+    try {
+        check_navigation(config);
+        FAIL() << "was taken";
+    } catch (const ConfigError& error) {
+        EXPECT_EQ(std::string(error.what()).rfind("map.size_m = 2: too small for navigation.footprint_m", 0),
+                  0U);
+    }
+}
+
 }  // namespace
 }  // namespace flownav

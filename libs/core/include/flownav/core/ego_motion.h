@@ -1,4 +1,5 @@
 #pragma once
+#include "flownav/core/pose2.h"
 
 namespace flownav {
 
@@ -15,5 +16,15 @@ struct EgoMotion {
     int inliers = 0;                ///< vectors that support omega
     int ground_window = 0;          ///< vectors that support T
 };
+
+/// T_reference_robot: where the robot is after a motion.
+inline Pose2 pose_after(const EgoMotion& motion) {
+    return along_arc(motion.omega_rad, motion.forward_m, motion.chord_rad);
+}
+
+/// The same half-way, where vectors are evaluated.
+inline Pose2 pose_half_way(const EgoMotion& motion) {
+    return along_arc(0.5 * motion.omega_rad, 0.5 * motion.forward_m, motion.chord_rad);
+}
 
 }  // namespace flownav

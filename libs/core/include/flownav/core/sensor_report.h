@@ -19,6 +19,7 @@ struct SensorReport {
     double omega_radps = 0.0;              ///< from the previous field to this one, > 0 left
     double v_mps = 0.0;                    ///< mean forward speed since the reference
     bool v_measured = false;               ///< false: predicted or carried over
+    double carried_s = 0.0;                ///< for so long turn or speed were not measured, see Step
     std::array<int, sectors> blocks = {};  ///< of the layout, whether they could be matched or not
     std::array<int, sectors> confident = {};  ///< of these: matched unambiguously
 };

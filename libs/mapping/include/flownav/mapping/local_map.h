@@ -19,7 +19,8 @@ class LocalMap {
     explicit LocalMap(const MapParams& params);
 
     /// Adds a set, forgets what is too old, and redraws the grid around set.T_map_robot. Allocates only while
-    /// there is more to remember than ever before.
+    /// there is more to remember than ever before. A pose that is not finite, or 1000 km away, changes
+    /// nothing.
     void insert(const ObstacleSet& set);
 
     /// Redraws the grid around a robot that has moved on since the last set.

@@ -17,10 +17,10 @@ class FootprintField {
     /// Of a point in the robot's frame; beyond the reach any distance >= the reach.
     double distance_m(const Eigen::Vector2d& p_robot) const {
         const Eigen::Vector2d at = (p_robot - low_m_) / step_m;
-        if (!(at.x() >= 0.0 && at.y() >= 0.0)) return reach_m_;
+        // Compared before they become integers: a far point or NaN is outside, too.
+        if (!(at.x() >= 0.0 && at.y() >= 0.0 && at.x() < columns_ - 1 && at.y() < rows_ - 1)) return reach_m_;
         const auto column = static_cast<int>(at.x());
         const auto row = static_cast<int>(at.y());
-        if (column + 1 >= columns_ || row + 1 >= rows_) return reach_m_;
         const double u = at.x() - column;
         const double w = at.y() - row;
         const float* const d = &distance_m_[static_cast<std::size_t>(row) * columns_ + column];

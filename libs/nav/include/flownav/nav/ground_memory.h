@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "flownav/core/footprint.h"
+#include "flownav/core/grid2d.h"
 #include "flownav/core/pose2.h"
 
 namespace flownav::nav {
@@ -57,8 +58,6 @@ class GroundMemory {
         double until_s = 0.0;
     };
 
-    Eigen::Vector2i index_of(const Eigen::Vector2d& at_m) const;
-    Eigen::Vector2d middle_of(const Eigen::Vector2i& index) const;
     Cell& place(const Eigen::Vector2i& index);
     const Cell& place(const Eigen::Vector2i& index) const;
     Ground at(const Eigen::Vector2i& index, double time_s) const;
@@ -66,7 +65,8 @@ class GroundMemory {
     void note_silence(const Eigen::Vector2i& index, const Eigen::Vector2d& at_robot_m, double time_s);
 
     GroundMemoryParams params_;
-    int side_;  ///< cells along the edge of the ring
+    GridFrame frame_;  ///< of the map frame
+    int side_;         ///< cells along the edge of the ring
     std::vector<Cell> cells_;
 };
 

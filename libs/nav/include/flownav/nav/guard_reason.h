@@ -7,7 +7,7 @@ namespace flownav::nav {
 /// What the guard does with a command.
 enum class GuardAction { Pass, Slow, Stop };
 
-/// Why it does not pass, the gravest last.
+/// Why it does not pass.
 enum class GuardReason {
     None,
     UnseenAhead,            ///< ground on the way has not been seen
@@ -19,6 +19,14 @@ enum class GuardReason {
     SensorStale,            ///< fields or maps do not come, or come late
     NavigatorSilent,        ///< no proposal
 };
+
+/// How grave an action or a reason is; the guard logs a change to something graver at once.
+int gravity(GuardAction action);
+int gravity(GuardReason reason);
+
+/// True when what the robot knows of its surroundings or of its own motion cannot be relied on: a navigator
+/// must not plan with it.
+bool is_fault_of_sensing(GuardReason reason);
 
 /// The words of logs.
 const char* to_string(GuardAction action);

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <mrpt/maps/COccupancyGridMap2D.h>
-
 #include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
+#include "flownav/core/grid2d.h"
 #include "flownav/core/robot_model.h"
 #include "flownav/nav/footprint_field.h"
 
@@ -22,19 +21,6 @@ struct LaneLayout {
     double tight_margin_m = 0.03;  ///< the same when turning on the spot, or where there is no other way
     double side_m = 0.35;          ///< obstacles this near to the footprint count as beside the lane
     int headings = 48;             ///< straight lanes after turning on the spot
-};
-
-/// The cells of a square map in the robot's frame, row by row, x fastest.
-struct CellGrid {
-    Eigen::Vector2d low_m = Eigen::Vector2d::Zero();  ///< corner of cell 0
-    double cell_m = 0.1;
-    int columns = 0;
-    int rows = 0;
-
-    Eigen::Vector2d middle_of(int column, int row) const {
-        return low_m + cell_m * Eigen::Vector2d(column + 0.5, row + 0.5);
-    }
-    bool fits(const mrpt::maps::COccupancyGridMap2D& map) const;
 };
 
 /// One cell in or beside a lane.
@@ -58,7 +44,7 @@ struct LaneTables {
     LaneLayout layout;
     RobotModel robot;
     FootprintField field;
-    CellGrid grid;
+    GridArea grid;                                ///< of the local map, robot frame
     std::vector<Lane> lanes;                      ///< ordered by curvature, from right to left
     std::vector<Lane> tight_lanes;                ///< the same with the tight margin
     std::vector<Lane> headings;                   ///< ordered by heading, from -pi

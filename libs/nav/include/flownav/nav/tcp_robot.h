@@ -73,6 +73,7 @@ class TcpRobot : public RobotBase {
     double base_timeout_s_ = 0.0;
     long sequence_ = 0;
     int malformed_ = 0;
+    int full_reads_ = 0;  ///< in a row: more came than was read
     int stops_ = 0;
     std::string complaint_;
 };

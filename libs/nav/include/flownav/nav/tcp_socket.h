@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -18,8 +19,10 @@ class TcpSocket {
     /// All of it, within a second.
     void send(std::string_view bytes) const;
 
-    /// What has arrived, perhaps nothing.
-    std::string receive() const;
+    /// What has arrived, perhaps nothing, and at most so many bytes: a peer that floods must not keep its
+    /// reader from its work.
+    std::string receive(std::size_t most = receive_max) const;
+    static constexpr std::size_t receive_max = 16384;
 
     /// True when something has arrived (or the connection has ended) before the time is over.
     bool wait(double timeout_s) const;

@@ -9,6 +9,9 @@ struct RateParams {
     int cycle_images = 0;    ///< r: images compared with one reference; 0: chosen from the speed ("auto")
     double travel_m = 0.08;  ///< travel per cycle that "auto" aims at
     double gap_max_s = 0.5;  ///< a longer pause between fields starts a new chain
+    /// For so long after it was measured last, the motion is carried over; then the robot counts as standing,
+    /// with an error that grows as if it went on.
+    double carry_max_s = 1.0;
 };
 
 struct Params {

@@ -31,9 +31,10 @@ class State {
     std::unique_ptr<Impl> impl_;
 };
 
-/// The sentence: field -> flow -> ego-motion -> obstacles. Fields must come with rising time stamps. The
-/// record lives in the state and is valid until the next call; its vectors are reused, so that nothing is
-/// allocated in steady state. Never throws on bad images: the record's status says what is wrong.
+/// The sentence: field -> flow -> ego-motion -> obstacles. The record lives in the state and is valid until
+/// the next call; its vectors are reused, so that nothing is allocated in steady state. Never throws on a
+/// field that cannot be used, such as one whose time stamp does not rise or whose image is not as large as
+/// its camera says: its status is BadField, Step::fault says why, Step::faults counts.
 const Step& step(State& state, const Field& field);
 
 /// Name of the block matching kernel in use.

@@ -36,21 +36,31 @@ struct BlockCounts {
     int moving = 0;
 };
 
+/// How much of a pose is not measured but carried over from the last measured motion.
+struct CarriedPose {
+    double since_s = 0.0;    ///< since turn and speed were both measured last; 0: with this field
+    double sigma_m = 0.0;    ///< standard deviation of the position that all carrying since the start caused
+    double sigma_rad = 0.0;  ///< the same of the heading
+};
+
 /// The record of one field: every intermediate product of field -> flow -> ego-motion -> obstacles.
 struct Step {
     double timestamp_s = 0.0;
     FieldStatus status = FieldStatus::Waiting;
-    bool restarted = false;         ///< a gap, a change of camera or a loss began a new chain here
-    int image_of_cycle = 0;         ///< j: 0 for a reference without predecessor, else 1..r
-    int cycle_images = 0;           ///< r, as planned for this cycle
-    bool end_of_cycle = false;      ///< obstacles, ground patches and scan are new
-    double omega_radps = 0.0;       ///< from the previous field to this one, > 0 left
-    double pitch_rate_radps = 0.0;  ///< from the previous field to this one, > 0 raises the view
-    double v_mps = 0.0;             ///< mean forward speed since the reference
-    bool v_measured = false;        ///< a cycle ended here and measured it; false: predicted or carried over
+    FieldFault fault = FieldFault::None;  ///< of a BadField
+    FieldFaultCounts faults{};            ///< of all fields since the start
+    bool restarted = false;               ///< a gap, a change of camera or a loss began a new chain here
+    int image_of_cycle = 0;               ///< j: 0 for a reference without predecessor, else 1..r
+    int cycle_images = 0;                 ///< r, as planned for this cycle
+    bool end_of_cycle = false;            ///< obstacles, ground patches and scan are new
+    double omega_radps = 0.0;             ///< from the previous field to this one, > 0 left
+    double pitch_rate_radps = 0.0;        ///< from the previous field to this one, > 0 raises the view
+    double v_mps = 0.0;                   ///< mean forward speed since the reference
+    bool v_measured = false;  ///< a cycle ended here and measured it; false: predicted or carried over
     double pitch_correction_rad = 0.0;  ///< added to the pitch of the field's camera (pitch_online)
     EgoMotion motion;                   ///< from the cycle's reference to this field
     Pose2 T_start_robot;                ///< flow odometry; identity at the first field
+    CarriedPose carried;                ///< how far T_start_robot can be relied on
     BlockCounts counts;
     std::vector<BlockRecord> blocks;
     std::vector<ObstaclePoint> obstacles;  ///< robot frame at timestamp_s; only at the end of a cycle

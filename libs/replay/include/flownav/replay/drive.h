@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "flownav/core/field_status.h"
 #include "flownav/mapping/export.h"
 #include "flownav/replay/camera_check.h"
 #include "flownav/replay/field_row.h"
@@ -37,6 +38,8 @@ struct Drive {
     InputCounts read;
     WrittenCounts written;
     std::vector<FieldRow> rows;
+    FieldFaultCounts field_faults{};    ///< why fields had the status bad_field
+    std::vector<std::string> warnings;  ///< about results that are less than they seem, for people
     PoseTrack odometry;
     PoseTrack ground_truth;
     std::optional<Errors> odometry_errors;      ///< empty when the rawlog has no odometry
@@ -53,6 +56,22 @@ std::string end_sentence(const Drive& drive);
 
 /// How many fields had each status, in the order of all_field_statuses.
 std::vector<std::uint64_t> status_counts(const std::vector<FieldRow>& rows);
+
+/// How long the motion was not measured and the pose was carried over.
+struct CarriedTime {
+    double total_s = 0.0;
+    double longest_s = 0.0;
+    double duration_s = 0.0;  ///< of the drive
+    double sigma_m = 0.0;     ///< of the end position, by that
+};
+CarriedTime carried_time(const std::vector<FieldRow>& rows);
+
+/// One sentence when that is more than a few per cent of the drive; else empty. `carry_max_s`: as configured.
+std::string carried_warning(const CarriedTime& carried, double carry_max_s);
+
+/// One sentence when cycles were left out of the map because the robot was too far from the start; else
+/// empty.
+std::string map_warning(int sets, int sets_outside, double half_m);
 
 /// What a status means and what to do about it, for people.
 const char* explain(FieldStatus status);

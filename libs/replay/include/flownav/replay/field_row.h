@@ -19,6 +19,7 @@ struct FieldRow {
     bool starts_reference = false;  ///< the next fields are compared with this one
     double omega_radps = 0.0;
     double v_mps = 0.0;
+    pipeline::CarriedPose carried;
     Pose2 T_start_robot;
     int placed = 0;
     int confident = 0;

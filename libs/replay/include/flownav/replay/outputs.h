@@ -35,6 +35,7 @@ class Outputs {
     /// Enters what a finished cycle saw into the map; comes before write().
     void map(const pipeline::Step& step);
     void write(const Field& field, const pipeline::Step& step);
+    const DriveMap& drive_map() const { return map_; }
     void write_odometry(const PoseSample& sample) { rawlog_.write_odometry(sample); }
 
     /// Pose tracks, map and report, with `timing` in it unless null; fills drive.written.

@@ -14,7 +14,7 @@ struct ReplayOptions {
     std::filesystem::path output;  ///< folder, made when it is missing; what is in it is overwritten
     Config config;
     OptionalOutputs optional;
-    bool timing_in_report = false;  ///< then report.html differs from run to run
+    bool timing_in_report = false;                       ///< then report.html differs from run to run
     Progress::Style progress = Progress::Style::Silent;  ///< on the standard output
 };
 
@@ -28,7 +28,7 @@ enum class ExitStatus {
 struct ReplayResult {
     ExitStatus status = ExitStatus::Fine;
     std::string message;                ///< what, where, what to do; empty when all is fine
-    std::vector<std::string> warnings;  ///< about the camera's pose
+    std::vector<std::string> warnings;  ///< about results that are less than they seem, and the camera's pose
     std::string outcome;                ///< what was found, in one line; empty when nothing was written
 };
 

@@ -52,6 +52,12 @@ void set_config_value(Config& config, const std::string& key, const std::string&
 /// Throws ConfigError naming file, key, value and range.
 void load_config_file(Config& config, const std::string& path);
 
+/// Throws ConfigError, which names the keys, when the local map would have more cells than can be worked on.
+void check_map(const Config& config);
+
+/// Throws ConfigError, which names the keys, when the robot has no room in the local map.
+void check_navigation(const Config& config);
+
 /// The ini text of a configuration, each key with its documentation.
 std::string dump_config(const Config& config);
 

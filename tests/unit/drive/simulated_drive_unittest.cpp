@@ -1,8 +1,6 @@
-#include "simulated_drive.h"
+#include "flownav/drive/simulated_drive.h"
 
 #include <gtest/gtest.h>
-
-#include "drive_files.h"
 
 namespace flownav {
 namespace {
@@ -84,7 +82,7 @@ TEST(SimulatedDrive, WhatFallsOnTheRobotIsACollision) {
     options.world.solids.push_back(mover);
     options.goals_m = {{0.0, -20.0}};
     // It cannot get out of the way.
-    options.faults.navigator = [](double, const MotionCommand&) { return std::nullopt; };
+    options.navigator = [](double, const MotionCommand&) { return std::nullopt; };
     const DriveResult result = drive(options);
     EXPECT_EQ(result.outcome, Outcome::Collision);
     EXPECT_EQ(result.why, "touched cart");
@@ -93,7 +91,7 @@ TEST(SimulatedDrive, WhatFallsOnTheRobotIsACollision) {
 
 TEST(SimulatedDrive, ANavigatorThatHangsStopsTheRobotAndDrivesOnAfterwards) {
     SimulatedDriveOptions options = round_a_post();
-    options.faults.navigator = [](double time_s, const MotionCommand& proposed) {
+    options.navigator = [](double time_s, const MotionCommand& proposed) {
         return time_s > 3.0 && time_s < 6.0 ? std::nullopt : std::optional(proposed);
     };
     const DriveResult result = drive(options);
@@ -107,24 +105,12 @@ TEST(SimulatedDrive, ANavigatorThatHangsStopsTheRobotAndDrivesOnAfterwards) {
 TEST(SimulatedDrive, ANavigatorThatDrivesStraightAtAPostIsStopped) {
     SimulatedDriveOptions options = round_a_post();
     options.timeout_s = 12.0;
-    options.faults.navigator = [](double, const MotionCommand&) { return MotionCommand{0.4, 0.0}; };
+    options.navigator = [](double, const MotionCommand&) { return MotionCommand{0.4, 0.0}; };
     const DriveResult result = drive(options);
     EXPECT_EQ(result.outcome, Outcome::Timeout);
     EXPECT_EQ(result.stops.back().reason, nav::GuardReason::ObstacleAhead);
     EXPECT_GT(result.min_clearance_m, 0.0);
     EXPECT_LT(result.min_clearance_m, 0.3);
-}
-
-TEST(SimulatedDrive, TheScoreIsThatOfTheBenchmark) {
-    DriveResult result;
-    result.outcome = Outcome::Reached;
-    const double path_m = 10.0;  // 5 s at best
-    for (const auto& [time_s, score] : {std::pair{4.0, 0.5}, {10.0, 0.5}, {20.0, 0.25}, {90.0, 0.125}}) {
-        result.time_s = time_s;
-        EXPECT_NEAR(barn_score(result, path_m), score, 1e-9);
-    }
-    result.outcome = Outcome::Collision;
-    EXPECT_EQ(barn_score(result, path_m), 0.0);
 }
 
 }  // namespace

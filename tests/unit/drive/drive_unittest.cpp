@@ -1,4 +1,4 @@
-#include "robot_drive.h"
+#include "flownav/drive/drive.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,13 @@ namespace {
 using Eigen::Vector2d;
 
 /// A clock that only moves when somebody waits.
-struct VirtualClock {
-    double now_s = 100.0;
+class VirtualClock : public Clock {
+  public:
+    double now_s() const override { return now_s_; }
+    void wait_until_s(double time_s) override { now_s_ = time_s; }
+
+  private:
+    double now_s_ = 100.0;
 };
 
 /// A robot that does what it is told, in no world at all.
@@ -24,11 +29,11 @@ class IdealBase : public nav::RobotBase {
     IdealBase(const RobotModel& robot, const VirtualClock& clock) : vehicle_(robot, {}), clock_(clock) {}
 
     std::optional<nav::WheelReading> odometry() override {
-        if (clock_.now_s > lost_at_s) throw nav::RobotError("the base is lost");
-        vehicle_.advance(clock_.now_s);
-        return nav::WheelReading{clock_.now_s, vehicle_.pose(), vehicle_.motion()};
+        if (clock_.now_s() > lost_at_s) throw nav::RobotError("the base is lost");
+        vehicle_.advance(clock_.now_s());
+        return nav::WheelReading{clock_.now_s(), vehicle_.pose(), vehicle_.motion()};
     }
-    void drive(const MotionCommand& command) override { vehicle_.command(clock_.now_s, command); }
+    void drive(const MotionCommand& command) override { vehicle_.command(clock_.now_s(), command); }
     void stop() override {
         if (++stops == 1) stopped_.set_value();
     }
@@ -51,16 +56,16 @@ class FreeGround : public SensorFeed {
     explicit FreeGround(const VirtualClock& clock) : clock_(clock) {}
 
     std::vector<nav::Sensed> arrived() override {
-        if (clock_.now_s < next_s_ || clock_.now_s > blind_at_s) return {};
-        next_s_ = clock_.now_s + 0.1;
+        if (clock_.now_s() < next_s_ || clock_.now_s() > blind_at_s) return {};
+        next_s_ = clock_.now_s() + 0.1;
         nav::Sensed sensed;
         sensed.by_camera = false;
-        sensed.report.timestamp_s = clock_.now_s;
+        sensed.report.timestamp_s = clock_.now_s();
         sensed.report.end_of_cycle = true;
         sensed.ground.push_back({{-1.0, 0.0}, {5.0, 0.0}, 4.0});
         return {sensed};
     }
-    std::string end() override { return clock_.now_s > ends_at_s ? "the camera was unplugged" : ""; }
+    std::string end() override { return clock_.now_s() > ends_at_s ? "the camera was unplugged" : ""; }
 
     double blind_at_s = 1e9;
     double ends_at_s = 1e9;
@@ -70,24 +75,27 @@ class FreeGround : public SensorFeed {
     double next_s_ = 0.0;
 };
 
+/// Drives an ideal base, two metres ahead and half a metre to the left.
 class RobotDrive : public ::testing::Test {
   protected:
     RobotDrive() : base_(options_.config.navigation.robot, clock_), feed_(clock_) {
         options_.goals_m = {{2.0, 0.5}};
         options_.guard.needs_fields = false;
         options_.timeout_s = 60.0;
-        options_.clock_s = [this] { return clock_.now_s; };
-        options_.wait_until_s = [this](double time_s) { clock_.now_s = time_s; };
     }
 
+    DriveResult run() { return run(feed_); }
+    DriveResult run(SensorFeed& feed) { return drive(options_, {clock_, base_, feed}, nobody_); }
+
     VirtualClock clock_;
-    RobotDriveOptions options_;
+    DriveOptions options_;
     IdealBase base_;
     FreeGround feed_;
+    DriveObserver nobody_;
 };
 
 TEST_F(RobotDrive, ReachesItsGoalAndIsToldToStop) {
-    const RobotDriveResult result = drive_robot(options_, base_, feed_);
+    const DriveResult result = run();
     EXPECT_EQ(result.outcome, Outcome::Reached);
     EXPECT_LT((Vector2d(base_.vehicle().pose().x_m, base_.vehicle().pose().y_m) - options_.goals_m[0]).norm(),
               0.35);
@@ -97,14 +105,14 @@ TEST_F(RobotDrive, ReachesItsGoalAndIsToldToStop) {
 TEST_F(RobotDrive, AGoalIsInTheFrameOfTheStart) {
     options_.start = {10.0, 5.0, M_PI / 2};
     options_.goals_m = {{9.5, 7.0}};  // the same place as seen from there
-    EXPECT_EQ(drive_robot(options_, base_, feed_).outcome, Outcome::Reached);
+    EXPECT_EQ(run().outcome, Outcome::Reached);
     EXPECT_NEAR(base_.vehicle().pose().x_m, 2.0, 0.35);
     EXPECT_NEAR(base_.vehicle().pose().y_m, 0.5, 0.35);
 }
 
 TEST_F(RobotDrive, ASensorThatFallsSilentStopsTheRobotUntilTheTimeIsOver) {
     feed_.blind_at_s = 102.0;
-    const RobotDriveResult result = drive_robot(options_, base_, feed_);
+    const DriveResult result = run();
     EXPECT_EQ(result.outcome, Outcome::Timeout);
     EXPECT_EQ(base_.vehicle().motion().v_mps, 0.0);
     ASSERT_FALSE(result.stops.empty());
@@ -113,17 +121,70 @@ TEST_F(RobotDrive, ASensorThatFallsSilentStopsTheRobotUntilTheTimeIsOver) {
 
 TEST_F(RobotDrive, ACameraThatEndsEndsTheDrive) {
     feed_.ends_at_s = 101.0;
-    const RobotDriveResult result = drive_robot(options_, base_, feed_);
-    EXPECT_EQ(result.outcome, Outcome::Timeout);
+    const DriveResult result = run();
+    EXPECT_EQ(result.outcome, Outcome::Lost);
     EXPECT_EQ(result.why, "the camera was unplugged");
     EXPECT_NEAR(result.time_s, 1.0, 0.1);
     EXPECT_EQ(base_.stops, 1);
 }
 
-TEST_F(RobotDrive, ALostBaseIsAnErrorAndStillToldToStop) {
+TEST_F(RobotDrive, ALostBaseEndsTheDriveAndIsStillToldToStop) {
     base_.lost_at_s = 101.0;
-    EXPECT_THROW(drive_robot(options_, base_, feed_), nav::RobotError);
+    const DriveResult result = run();
+    EXPECT_EQ(result.outcome, Outcome::Lost);
+    EXPECT_EQ(result.why, "the base is lost");
+    EXPECT_GT(result.samples.size(), 40U);  // what came before is kept
     EXPECT_EQ(base_.stops, 1);
+}
+
+TEST_F(RobotDrive, AFeedThatThrowsEndsTheDriveAndTheRobotStops) {
+    class Broken : public SensorFeed {
+      public:
+        std::vector<nav::Sensed> arrived() override { throw std::runtime_error("out of memory"); }
+        std::string end() override { return ""; }
+    } broken;
+    const DriveResult result = run(broken);
+    EXPECT_EQ(result.outcome, Outcome::Lost);
+    EXPECT_EQ(result.why, "out of memory");
+    EXPECT_EQ(base_.stops, 1);
+}
+
+TEST_F(RobotDrive, AnObserverThatThrowsEndsTheDriveAndTheRobotStops) {
+    class Broken : public DriveObserver {
+      public:
+        void on_tick(const DriveSample& sample) override {
+            if (sample.time_s > 1.0) throw std::runtime_error("the disk is gone");
+        }
+    } broken;
+    const DriveResult result = drive(options_, {clock_, base_, feed_}, broken);
+    EXPECT_EQ(result.why, "the disk is gone");
+    EXPECT_EQ(base_.stops, 1);
+}
+
+TEST_F(RobotDrive, BeingToldToStopEndsItInTheSameTick) {
+    options_.stop_wanted = [this] { return clock_.now_s() >= 101.0; };
+    const DriveResult result = run();
+    EXPECT_EQ(result.outcome, Outcome::Stopped);
+    EXPECT_NEAR(result.time_s, 1.0, 0.021);
+    EXPECT_EQ(base_.stops, 1);
+}
+
+TEST_F(RobotDrive, TimesOfSamplesAndStopsCountFromTheStartOfTheDrive) {
+    feed_.blind_at_s = 102.0;
+    options_.timeout_s = 8.0;
+    const DriveResult result = run();
+    EXPECT_NEAR(result.time_s, 8.0, 0.021);
+    EXPECT_EQ(result.samples.front().time_s, 0.0);
+    EXPECT_FALSE(result.samples.front().truth_known);
+    EXPECT_GT(result.path_m, 0.1);
+    ASSERT_FALSE(result.stops.empty());
+    for (const nav::GuardEvent& stop : result.stops) EXPECT_LE(stop.time_s, 8.1);
+}
+
+TEST_F(RobotDrive, OptionsThatMakeNoSenseThrowBeforeTheRobotMoves) {
+    options_.config.map.size_m = 1.0;
+    EXPECT_THROW(run(), std::invalid_argument);
+    EXPECT_EQ(base_.vehicle().motion().v_mps, 0.0);
 }
 
 /// Hangs until the base is told to stop.
@@ -144,7 +205,8 @@ class HungFeed : public SensorFeed {
 
 TEST_F(RobotDrive, TheWatchdogStopsARobotWhoseProgramHangs) {
     HungFeed feed(base_);
-    EXPECT_EQ(drive_robot(options_, base_, feed).why, "told to stop");
+    options_.hung_s = 1.0;
+    EXPECT_EQ(run(feed).why, "told to stop");
 }
 
 }  // namespace

@@ -15,4 +15,11 @@ bool StopSignals::wait(std::chrono::milliseconds time) const {
     return sigtimedwait(&signals_, nullptr, &limit) > 0;
 }
 
+void StopSignals::release() const {
+    while (wait(std::chrono::milliseconds(0))) {
+        // One that came before.
+    }
+    pthread_sigmask(SIG_UNBLOCK, &signals_, nullptr);
+}
+
 }  // namespace flownav

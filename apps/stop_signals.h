@@ -14,6 +14,9 @@ class StopSignals {
     /// Waits for one of them; true: it came.
     bool wait(std::chrono::milliseconds time) const;
 
+    /// From now on they end the program again, in the calling thread; those that came before are forgotten.
+    void release() const;
+
   private:
     sigset_t signals_{};
 };

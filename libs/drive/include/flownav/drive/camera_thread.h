@@ -1,0 +1,48 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "flownav/drive/clock.h"
+#include "flownav/drive/sensor_feed.h"
+#include "flownav/producer/live_fields.h"
+
+namespace flownav {
+
+/// Called with every field and its record, in the camera's thread.
+using FieldSink = std::function<void(const Field&, const pipeline::Step&)>;
+
+/// The flow sensor of a camera: reads fields and works on them in a thread of its own. Fields are stamped
+/// with the clock of the drive: those of a live camera with the time they were taken at, those of a recording
+/// (a rawlog, a folder of images, a video file) as if it began now; a recording is read at its own pace.
+/// Whatever throws in the thread ends the feed, and end() says what.
+class CameraThread : public SensorFeed {
+  public:
+    /// Opens the camera. Throws InputError: it is not there. The clock outlives this.
+    CameraThread(const ProducerSettings& settings, const SteadyClock& clock, FieldSink sink);
+    ~CameraThread() override;
+
+    std::vector<nav::Sensed> arrived() override;
+    std::string end() override;
+
+  private:
+    void run();
+    void read_fields();
+    double clock_time_s(double timestamp_s);
+
+    LiveFields fields_;
+    const SteadyClock& clock_;
+    FieldSink sink_;
+    bool recorded_;                          ///< the source is a recording
+    std::optional<double> recording_began_;  ///< clock - time stamp of a recording
+    std::mutex mutex_;
+    std::vector<nav::Sensed> arrived_;
+    std::string end_;
+    std::atomic<bool> stops_{false};
+    std::thread thread_;  ///< last: starts when all else is there
+};
+
+}  // namespace flownav

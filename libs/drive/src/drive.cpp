@@ -1,0 +1,187 @@
+#include "flownav/drive/drive.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "flownav/nav/make_navigator.h"
+#include "flownav/nav/watchdog.h"
+
+namespace flownav {
+namespace {
+
+nav::Pilot make_pilot(const DriveOptions& options) {
+    const NavigationParams& navigation = options.config.navigation;
+    nav::NavigatorOptions navigator;
+    navigator.kind = navigation.navigator;
+    navigator.robot = navigation.robot;
+    navigator.period_s = navigation.decide_every_s;
+    navigator.map_size_m = options.config.map.size_m;
+    navigator.resolution_m = options.config.map.resolution_m;
+    navigator.navlog_dir = options.navlog_directory;
+    if (options.waypoint_robot_m)
+        return {navigation.robot, nav::make_navigator(navigator), *options.waypoint_robot_m};
+    nav::PilotParams pilot;
+    pilot.plan = navigation.plan;
+    pilot.goal_radius_m = navigation.goal_radius_m;
+    return {navigation.robot, pilot, nav::make_navigator(navigator), options.goals_m};
+}
+
+void stop_quietly(nav::RobotBase& base) {
+    try {
+        base.stop();
+    } catch (const std::exception&) {
+        // A base that is lost stops by itself.
+    }
+}
+
+void emergency_stop_quietly(nav::RobotBase& base) {
+    try {
+        base.emergency_stop();
+    } catch (const std::exception&) {
+        // A base that is lost stops by itself.
+    }
+}
+
+double distance_m(const Pose2& a, const Pose2& b) {
+    return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
+}
+
+/// The loop of wheels, sensor, autopilot and motors.
+class Loop {
+  public:
+    Loop(const DriveOptions& options, const DrivenRobot& robot, DriveObserver& observer)
+        : options_(options),
+          robot_(robot),
+          observer_(observer),
+          autopilot_(options.config.navigation, options.config.map, options.guard, make_pilot(options),
+                     options.start) {
+        result_.min_clearance_m = std::numeric_limits<double>::infinity();
+    }
+
+    DriveResult result() {
+        try {
+            run();
+        } catch (const std::exception& error) {
+            end(Outcome::Lost, error.what());
+        }
+        stop_quietly(robot_.base);
+        observer_.on_end(autopilot_);
+        for (const nav::GuardEvent& event : autopilot_.guard().events()) {
+            result_.stops.push_back(event);
+            result_.stops.back().time_s -= began_s_;
+        }
+        return std::move(result_);
+    }
+
+  private:
+    void run() {
+        std::optional<nav::Watchdog> watchdog;
+        if (options_.hung_s > 0.0) {
+            watchdog.emplace([this] { emergency_stop_quietly(robot_.base); });
+            watchdog->start_watchdog(options_.hung_s);
+        }
+        began_s_ = robot_.clock.now_s();
+        for (int tick = 1; !over_; ++tick) {
+            if (watchdog) watchdog->alive();
+            control(robot_.clock.now_s());
+            if (!over_) robot_.clock.wait_until_s(began_s_ + tick * options_.tick_s);
+        }
+    }
+
+    void control(double now_s) {
+        if (const auto reading = robot_.base.odometry()) {
+            wheels_ = *reading;
+            observer_.on_odometry(reading->time_s, reading->T_odom_robot);
+            autopilot_.odometry(reading->time_s, reading->T_odom_robot, reading->motion);
+        }
+        for (const nav::Sensed& sensed : robot_.feed.arrived()) autopilot_.sensed(sensed);
+        const MotionCommand command = autopilot_.command(now_s, options_.navigator);
+        robot_.base.drive(command);
+        note(now_s, command);
+        judge(now_s);
+    }
+
+    void note(double now_s, const MotionCommand& command) {
+        DriveSample sample;
+        sample.time_s = now_s - began_s_;
+        sample.T_map_robot = autopilot_.T_map_robot();
+        sample.odometry = wheels_.T_odom_robot;
+        sample.motion = wheels_.motion;
+        sample.proposed = autopilot_.decision().command;
+        sample.command = command;
+        if (robot_.witness) {
+            truth_ = robot_.witness->truth(now_s, autopilot_.decision().last_goal);
+            sample.truth_known = true;
+            sample.T_world_robot = truth_.T_world_robot;
+            sample.motion = truth_.motion;
+            sample.clearance_m = truth_.clearance_m;
+            result_.min_clearance_m = std::min(result_.min_clearance_m, truth_.clearance_m);
+        }
+        const Pose2& pose = sample.truth_known ? sample.T_world_robot : sample.T_map_robot;
+        if (!result_.samples.empty()) result_.path_m += distance_m(pose, last_);
+        last_ = pose;
+        result_.samples.push_back(sample);
+        observer_.on_tick(sample);
+        if (autopilot_.just_decided()) observer_.on_decision(sample, autopilot_);
+    }
+
+    void judge(double now_s) {
+        result_.time_s = now_s - began_s_;
+        const nav::PilotDecision& decision = autopilot_.decision();
+        const std::string sensor_end = robot_.feed.end();
+        if (!truth_.touched.empty()) {
+            end(Outcome::Collision, "touched " + truth_.touched);
+            result_.contact_speed_mps = std::abs(truth_.motion.v_mps);
+        } else if (is_at_goal() || result_.path_m >= options_.way_max_m) {
+            end(Outcome::Reached, "");
+        } else if (decision.state == nav::PilotState::Blocked) {
+            end(Outcome::Blocked, decision.why);
+        } else if (!sensor_end.empty()) {
+            end(Outcome::Lost, sensor_end);
+        } else if (options_.stop_wanted && options_.stop_wanted()) {
+            end(Outcome::Stopped, "told to stop");
+        } else if (result_.time_s >= options_.timeout_s - options_.tick_s / 2) {
+            end(Outcome::Timeout, decision.why);
+        }
+    }
+
+    /// A witness decides, where there is one; the robot's own belief otherwise.
+    bool is_at_goal() const {
+        if (robot_.witness) return truth_.at_goal;
+        return autopilot_.decision().state == nav::PilotState::Arrived;
+    }
+
+    void end(Outcome outcome, std::string why) {
+        result_.outcome = outcome;
+        result_.why = std::move(why);
+        over_ = true;
+    }
+
+    const DriveOptions& options_;
+    const DrivenRobot& robot_;
+    DriveObserver& observer_;
+    nav::Autopilot autopilot_;
+    double began_s_ = 0.0;
+    nav::WheelReading wheels_;  ///< the newest
+    Pose2 last_;                ///< of the way
+    Witness::Truth truth_;
+    bool over_ = false;
+    DriveResult result_;
+};
+
+}  // namespace
+
+const char* to_string(Outcome outcome) {
+    constexpr std::array<const char*, 6> words = {"reached", "blocked", "collision",
+                                                  "timeout", "stopped", "lost"};
+    return words[static_cast<std::size_t>(outcome)];
+}
+
+DriveResult drive(const DriveOptions& options, const DrivenRobot& robot, DriveObserver& observer) {
+    return Loop(options, robot, observer).result();
+}
+
+}  // namespace flownav

@@ -1,0 +1,101 @@
+#include "flownav/drive/drive_recorder.h"
+
+#include <algorithm>
+#include <atomic>
+#include <optional>
+
+#include "background_writer.h"
+#include "flownav/replay/drive_recording.h"
+#include "flownav/replay/number_text.h"
+#include "flownav/replay/output_file.h"
+
+namespace flownav {
+namespace {
+
+constexpr std::size_t waiting_max = 100;  // jobs: some seconds of images
+
+std::string columns(const Pose2& pose) {
+    return fixed_text(pose.x_m, 4) + ',' + fixed_text(pose.y_m, 4) + ',' + fixed_text(pose.yaw_rad, 5);
+}
+
+std::string columns(const MotionCommand& motion) {
+    return fixed_text(motion.v_mps, 3) + ',' + fixed_text(motion.omega_radps, 3);
+}
+
+}  // namespace
+
+struct DriveRecorder::Impl {
+    explicit Impl(const DriveRecorderOptions& its_options) : options(its_options) {
+        if (!options.rawlog.empty()) rawlog.emplace(options.rawlog);
+        if (!options.csv.empty()) {
+            csv.emplace(options.csv);
+            csv->write(drive_csv_header());
+        }
+    }
+
+    DriveRecorderOptions options;
+    std::optional<DriveRecording> rawlog;
+    std::optional<OutputFile> csv;
+    std::atomic<int> fields_left_out{0};
+    BackgroundWriter writer;  ///< last: ends before the files do
+};
+
+DriveRecorder::DriveRecorder(const DriveRecorderOptions& options) : impl_(std::make_unique<Impl>(options)) {}
+DriveRecorder::~DriveRecorder() = default;
+
+void DriveRecorder::on_field(const Field& field, const pipeline::Step& /*step*/) {
+    if (!impl_->rawlog) return;
+    const auto job = [this, field] { impl_->rawlog->write(field); };
+    if (impl_->options.may_wait) {
+        impl_->writer.push_when_fewer(job, waiting_max);
+    } else if (!impl_->writer.push_if_fewer(job, waiting_max)) {
+        ++impl_->fields_left_out;
+    }
+}
+
+void DriveRecorder::on_odometry(double timestamp_s, const Pose2& T_odom_robot) {
+    if (!impl_->rawlog) return;
+    impl_->writer.push([=] { impl_->rawlog->write_odometry(timestamp_s, T_odom_robot); });
+}
+
+void DriveRecorder::on_truth(double timestamp_s, const Pose2& T_world_robot) {
+    if (!impl_->rawlog) return;
+    impl_->writer.push([=] { impl_->rawlog->write_truth(timestamp_s, T_world_robot); });
+}
+
+void DriveRecorder::on_decision(const DriveSample& sample, const nav::Autopilot& autopilot) {
+    if (!impl_->csv) return;
+    std::string row = drive_csv_row(sample, autopilot.decision(), autopilot.verdict().action);
+    impl_->writer.push([this, row = std::move(row)] { impl_->csv->write(row); });
+}
+
+void DriveRecorder::complete() {
+    impl_->writer.finish();
+    if (impl_->rawlog) impl_->rawlog->complete();
+    if (impl_->csv) impl_->csv->close();
+}
+
+int DriveRecorder::fields_left_out() const {
+    return impl_->fields_left_out;
+}
+
+std::string drive_csv_header() {
+    return "time_s,true_x_m,true_y_m,true_yaw_rad,map_x_m,map_y_m,map_yaw_rad,odom_x_m,odom_y_m,"
+           "odom_yaw_rad,v_mps,omega_radps,proposed_v_mps,proposed_omega_radps,command_v_mps,"
+           "command_omega_radps,waypoint_x_m,waypoint_y_m,clearance_m,state,action,why\n";
+}
+
+std::string drive_csv_row(const DriveSample& sample, const nav::PilotDecision& decision,
+                          nav::GuardAction action) {
+    std::string why = decision.why;
+    std::replace(why.begin(), why.end(), ',', ';');
+    const std::string truth = sample.truth_known ? columns(sample.T_world_robot) : ",,";
+    const std::string clearance = sample.truth_known ? fixed_text(sample.clearance_m, 3) : "";
+    return fixed_text(sample.time_s, 2) + ',' + truth + ',' + columns(sample.T_map_robot) + ',' +
+           columns(sample.odometry) + ',' + columns(sample.motion) + ',' + columns(sample.proposed) + ',' +
+           columns(sample.command) + ',' + fixed_text(decision.waypoint_m.x(), 3) + ',' +
+           fixed_text(decision.waypoint_m.y(), 3) + ',' + clearance + ',' + to_string(decision.state) + ',' +
+           to_string(action) + ',' + why + '\n';
+}
+
+}  // namespace flownav

@@ -1,0 +1,181 @@
+#include "flownav/drive/simulated_drive.h"
+
+#include <cmath>
+#include <deque>
+#include <utility>
+
+#include "flownav/pipeline/pipeline.h"
+#include "flownav/sensor/make_state.h"
+#include "flownav/sim/collision.h"
+#include "flownav/sim/vehicle.h"
+#include "simulated_clock.h"
+
+namespace flownav {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double epoch_s = sim::sim_start_s;
+
+/// A scan of the ideal lidar as the maps take it: points, and free ground before them.
+nav::Sensed sensed(const VirtualScan& scan, const sim::LidarParams& lidar, double time_s) {
+    nav::Sensed sensed;
+    sensed.report.timestamp_s = time_s;
+    sensed.by_camera = false;
+    sensed.report.end_of_cycle = true;
+    for (std::size_t i = 0; i < scan.beams.size(); ++i) {
+        const Beam& beam = scan.beams[i];
+        const double bearing_rad = scan.first_bearing_rad + static_cast<double>(i) * scan.step_rad;
+        const Vector2d direction(std::cos(bearing_rad), std::sin(bearing_rad));
+        if (beam.kind == BeamKind::Obstacle) {
+            ObstaclePoint point;
+            point.position_m << beam.range_m * direction, lidar.height_m;
+            point.sigma_m = 0.01;
+            sensed.points.push_back(point);
+        }
+        const double far_m = beam.range_m - (beam.kind == BeamKind::Obstacle ? 0.1 : 0.0);
+        if (far_m > 0.0) sensed.ground.push_back({Vector2d::Zero(), far_m * direction});
+    }
+    return sensed;
+}
+
+/// The simulated robot: its wheels, its sensor, and what is true of it. Times are seconds since the start.
+class SimulatedRobot : public nav::RobotBase, public SensorFeed, public Witness {
+  public:
+    SimulatedRobot(const SimulatedDriveOptions& options, const Clock& clock, DriveObserver& observer)
+        : options_(options),
+          clock_(clock),
+          observer_(observer),
+          vehicle_(options.config.navigation.robot, options.start),
+          wheels_(options.odometry),
+          state_(make_state(options.config)) {
+        if (options.sensor == SensorKind::Flow) camera_.emplace(options.world, options.camera);
+    }
+
+    /// The sensor is read first: fields are older than now.
+    std::optional<nav::WheelReading> odometry() override {
+        const double now_s = clock_.now_s();
+        if (options_.sensor == SensorKind::Flow) {
+            take_fields(now_s);
+        } else {
+            take_scans(now_s);
+        }
+        vehicle_.advance(now_s);
+        Pose2 T_odom_robot = wheels_.update(vehicle_.pose());
+        if (options_.faults.odometry) T_odom_robot = options_.faults.odometry(now_s, T_odom_robot);
+        return nav::WheelReading{now_s, T_odom_robot, vehicle_.motion()};
+    }
+
+    void drive(const MotionCommand& command) override { vehicle_.command(clock_.now_s(), command); }
+
+    std::vector<nav::Sensed> arrived() override {
+        std::vector<nav::Sensed> due;
+        while (!arriving_.empty() && arriving_.front().time_s <= clock_.now_s()) {
+            due.push_back(std::move(arriving_.front().sensed));
+            arriving_.pop_front();
+        }
+        return due;
+    }
+    std::string end() override { return ""; }
+
+    Truth truth(double time_s, bool last_goal) override {
+        const sim::Clearance clear =
+            sim::clearance(options_.world, options_.config.navigation.robot, vehicle_.pose(), time_s);
+        Truth truth;
+        truth.T_world_robot = vehicle_.pose();
+        truth.motion = vehicle_.motion();
+        truth.clearance_m = clear.distance_m;
+        if (clear.distance_m <= 0.0) truth.touched = clear.nearest;
+        truth.at_goal = is_at_goal(last_goal);
+        return truth;
+    }
+
+  private:
+    struct Arriving {
+        double time_s;
+        nav::Sensed sensed;
+    };
+
+    void take_fields(double until_s) {
+        for (; field_ / options_.camera.rate_hz <= until_s; ++field_) {
+            const double time_s = field_ / options_.camera.rate_hz;
+            vehicle_.advance(time_s);
+            Field field = camera_->take(field_, vehicle_.pose(), time_s);
+            field.timestamp_s = epoch_s + time_s;
+            observer_.on_truth(field.timestamp_s, vehicle_.pose());
+            if (options_.faults.field) {
+                auto altered = options_.faults.field(field);
+                if (!altered) continue;
+                field = std::move(*altered);
+            }
+            const pipeline::Step& step = pipeline::step(state_, field);
+            observer_.on_field(field, step);
+            send(time_s, sensed_of(step, field, images_, epoch_s));
+        }
+    }
+
+    void take_scans(double until_s) {
+        for (; field_ / options_.lidar.rate_hz <= until_s; ++field_) {
+            const double time_s = field_ / options_.lidar.rate_hz;
+            vehicle_.advance(time_s);
+            send(time_s, sensed(sim::scan(options_.world, options_.lidar, vehicle_.pose(), time_s),
+                                options_.lidar, time_s));
+        }
+    }
+
+    void send(double time_s, nav::Sensed sensed) {
+        const double more_s = options_.faults.field_delay_s ? options_.faults.field_delay_s(time_s) : 0.0;
+        arriving_.push_back({time_s + options_.latency_s + more_s, std::move(sensed)});
+    }
+
+    /// Way points before the goal are the pilot's business.
+    bool is_at_goal(bool last_goal) const {
+        if (options_.goals_m.empty() || options_.waypoint_robot_m) return false;
+        const Vector2d at(vehicle_.pose().x_m, vehicle_.pose().y_m);
+        return (options_.goals_m.size() == 1 || last_goal) &&
+               (options_.goals_m.back() - at).norm() <= options_.success_radius_m;
+    }
+
+    const SimulatedDriveOptions& options_;
+    const Clock& clock_;
+    DriveObserver& observer_;
+    sim::Vehicle vehicle_;
+    sim::WheelOdometry wheels_;
+    std::optional<sim::CameraSimulator> camera_;
+    pipeline::RepeatedImages images_;
+    pipeline::State state_;
+    std::deque<Arriving> arriving_;
+    int field_ = 0;  ///< the next one, or the next scan
+};
+
+/// Odometry is recorded with the same epoch as the fields.
+class WithEpoch : public DriveObserver {
+  public:
+    explicit WithEpoch(DriveObserver& observer) : observer_(observer) {}
+
+    void on_odometry(double timestamp_s, const Pose2& T_odom_robot) override {
+        observer_.on_odometry(epoch_s + timestamp_s, T_odom_robot);
+    }
+    void on_decision(const DriveSample& sample, const nav::Autopilot& autopilot) override {
+        observer_.on_decision(sample, autopilot);
+    }
+    void on_tick(const DriveSample& sample) override { observer_.on_tick(sample); }
+    void on_end(const nav::Autopilot& autopilot) override { observer_.on_end(autopilot); }
+
+  private:
+    DriveObserver& observer_;
+};
+
+}  // namespace
+
+DriveResult simulate_drive(const SimulatedDriveOptions& options, DriveObserver& observer) {
+    SimulatedDriveOptions driving = options;
+    driving.guard.needs_fields = options.sensor == SensorKind::Flow;
+    driving.hung_s = 0.0;
+    SimulatedClock clock(epoch_s, options.realtime);
+    SimulatedRobot robot(driving, clock, observer);
+    WithEpoch recorder(observer);
+    return drive(driving, {clock, robot, robot, &robot}, recorder);
+}
+
+}  // namespace flownav

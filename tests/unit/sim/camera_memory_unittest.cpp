@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <opencv2/core.hpp>
+
+#include "flownav/sim/camera_simulator.h"
+#include "flownav/sim/generate_world.h"
+
+namespace flownav::sim {
+namespace {
+
+/// Gives every matrix of OpenCV memory that ends at a page which nobody may touch: what is written beyond the
+/// end ends the test. The image that OpenGL is read back into is such a matrix.
+class GuardedAllocator : public cv::MatAllocator {
+  public:
+    cv::UMatData* allocate(int dims, const int* sizes, int type, void* data, std::size_t* step,
+                           cv::AccessFlag /*flags*/, cv::UMatUsageFlags /*usage*/) const override {
+        std::size_t total = CV_ELEM_SIZE(type);
+        for (int i = dims - 1; i >= 0; --i) {
+            if (step) step[i] = total;
+            total *= static_cast<std::size_t>(sizes[i]);
+        }
+        auto* const u = new cv::UMatData(this);
+        u->size = total;
+        if (data) {
+            u->data = u->origdata = static_cast<uchar*>(data);
+            u->flags |= cv::UMatData::USER_ALLOCATED;
+            return u;
+        }
+        auto* const pages = static_cast<uchar*>(
+            mmap(nullptr, bytes(total), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+        if (pages == MAP_FAILED) throw std::bad_alloc();
+        uchar* const guard = pages + bytes(total) - page_size();
+        mprotect(guard, page_size(), PROT_NONE);
+        u->origdata = pages;
+        u->data = guard - total;
+        return u;
+    }
+    bool allocate(cv::UMatData* u, cv::AccessFlag, cv::UMatUsageFlags) const override { return u != nullptr; }
+    void deallocate(cv::UMatData* u) const override {
+        if (!(u->flags & cv::UMatData::USER_ALLOCATED)) munmap(u->origdata, bytes(u->size));
+        delete u;
+    }
+
+  private:
+    static std::size_t page_size() { return static_cast<std::size_t>(sysconf(_SC_PAGESIZE)); }
+    /// Of whole pages for `total` bytes, and the guard.
+    static std::size_t bytes(std::size_t total) {
+        return (total + page_size() - 1) / page_size() * page_size() + page_size();
+    }
+};
+
+class CameraMemory : public ::testing::TestWithParam<int> {
+  protected:
+    CameraMemory() : usual_(cv::Mat::getDefaultAllocator()) { cv::Mat::setDefaultAllocator(&guarded_); }
+    ~CameraMemory() override { cv::Mat::setDefaultAllocator(usual_); }
+
+    /// An image without noise, of a camera whose optics do not depend on the width of its image.
+    static Field image_of(int width_px, const std::array<double, 5>& distortion = {}) {
+        CameraSimParams params;
+        params.camera.width_px = width_px;
+        params.camera.height_px = 48;
+        params.camera.fx_px = params.camera.fy_px = 200.0;
+        params.camera.cx_px = 30.0;
+        params.camera.cy_px = 24.0;
+        params.camera.distortion = distortion;
+        params.camera.mount.height_m = 0.5;
+        params.camera.mount.pitch_rad = 0.3;
+        params.effects.noise_sigma = 0.0;
+        params.supersampling = 1;
+        const World world = generate_world(WorldKind::Corridor, 1);
+        CameraSimulator camera(world, params);
+        return camera.take(0, world.start, 0.0);
+    }
+
+  private:
+    cv::MatAllocator* usual_;
+    GuardedAllocator guarded_;
+};
+
+TEST_P(CameraMemory, NothingIsWrittenBeyondAnImageOfAnyWidth) {
+    const Field field = image_of(GetParam());
+    ASSERT_EQ(field.image.width_px, GetParam());
+    const Field wide = image_of((GetParam() + 7) / 4 * 4);
+    for (int v = 0; v < field.image.height_px; ++v) {
+        for (int u = 0; u < field.image.width_px; ++u)
+            ASSERT_EQ(field.image.at(u, v), wide.image.at(u, v)) << u << ' ' << v;
+    }
+}
+
+TEST_P(CameraMemory, NothingIsWrittenBeyondTheImageOfABendingLens) {
+    const Field field = image_of(GetParam(), {-0.1, 0.02, 0.0, 0.0, 0.0});
+    EXPECT_EQ(field.image.width_px, GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Widths, CameraMemory,
+                         ::testing::Values(64, 65, 66, 67, 321, 322, 323, 641, 643, 645));
+
+}  // namespace
+}  // namespace flownav::sim
