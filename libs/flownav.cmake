@@ -23,8 +23,12 @@ add_library(flownav_options INTERFACE)
 target_compile_options(flownav_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
                                                  -Wconversion -Wno-sign-conversion -Werror -ffp-contract=off)
 if(FLOWNAV_SANITIZE)
-    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
-    add_link_options(-fsanitize=address,undefined)
+    set(FLOWNAV_SANITIZERS address,undefined)
+    if(FLOWNAV_SANITIZE STREQUAL "thread")
+        set(FLOWNAV_SANITIZERS thread)
+    endif()
+    add_compile_options(-fsanitize=${FLOWNAV_SANITIZERS} -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=${FLOWNAV_SANITIZERS})
     # Their dlopen() stands between a program and its modules, and knows no RUNPATH but its own.
     add_link_options(-Wl,--disable-new-dtags)
 endif()
@@ -60,13 +64,20 @@ function(flownav_app)
     set_property(GLOBAL APPEND PROPERTY FLOWNAV_APPS ${APP_NAME})
 endfunction()
 
-# flownav_test(NAME flow LABEL unit SOURCES a_unittest.cpp ... LINKS target ...) makes one GoogleTest program. Its files
-# below ::testing::TempDir() lie in the build folder, where no other run meets them.
+# flownav_test(NAME flow LABEL unit [THREADS] SOURCES a_unittest.cpp ... LINKS target ...) makes one GoogleTest program.
+# Its files below ::testing::TempDir() lie in the build folder, where no other run meets them. THREADS: what it tests
+# starts threads; the target thread_tests builds all of these, their label is "threads".
+add_custom_target(thread_tests)
 function(flownav_test)
-    cmake_parse_arguments(TEST "" "NAME;LABEL" "SOURCES;LINKS" ${ARGN})
+    cmake_parse_arguments(TEST "THREADS" "NAME;LABEL" "SOURCES;LINKS" ${ARGN})
+    set(labels ${TEST_LABEL})
+    if(TEST_THREADS)
+        set(labels threads)
+        add_dependencies(thread_tests ${TEST_LABEL}_${TEST_NAME})
+    endif()
     add_executable(${TEST_LABEL}_${TEST_NAME} ${TEST_SOURCES})
     target_link_libraries(${TEST_LABEL}_${TEST_NAME} PRIVATE ${TEST_LINKS} GTest::gtest_main flownav_options)
     gtest_discover_tests(${TEST_LABEL}_${TEST_NAME} DISCOVERY_TIMEOUT 60
-                         PROPERTIES LABELS ${TEST_LABEL} TIMEOUT 600 ENVIRONMENT TEST_TMPDIR=${PROJECT_BINARY_DIR}/tmp)
+                         PROPERTIES LABELS ${labels} TIMEOUT 600 ENVIRONMENT TEST_TMPDIR=${PROJECT_BINARY_DIR}/tmp)
     file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/tmp)
 endfunction()

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs the packages, builds flownav, and runs every test: optimised, then with sanitizers.
+# Installs the packages, builds flownav, and runs every test: optimised, then with sanitizers; what starts threads with
+# the thread sanitizer as well.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -17,7 +18,7 @@ END
 }
 
 more=()
-sanitizers=(dev)
+sanitizers=(tsan dev)
 for argument in "$@"; do
     case $argument in
         --quick) sanitizers=() ;;

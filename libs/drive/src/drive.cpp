@@ -49,6 +49,11 @@ double distance_m(const Pose2& a, const Pose2& b) {
     return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
 }
 
+bool is_finite(const nav::WheelReading& r) {
+    return std::isfinite(r.time_s + r.T_odom_robot.x_m + r.T_odom_robot.y_m + r.T_odom_robot.yaw_rad +
+                         r.motion.v_mps + r.motion.omega_radps);
+}
+
 /// The loop of wheels, sensor, autopilot and motors.
 class Loop {
   public:
@@ -92,7 +97,8 @@ class Loop {
     }
 
     void control(double now_s) {
-        if (const auto reading = robot_.base.odometry()) {
+        const auto reading = robot_.base.odometry();
+        if (reading && is_finite(*reading)) {  // silence, which the guard hears, is better than nonsense
             wheels_ = *reading;
             observer_.on_odometry(reading->time_s, reading->T_odom_robot);
             autopilot_.odometry(reading->time_s, reading->T_odom_robot, reading->motion);

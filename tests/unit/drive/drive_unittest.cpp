@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <future>
 
 #include "flownav/sim/vehicle.h"
@@ -31,7 +32,9 @@ class IdealBase : public nav::RobotBase {
     std::optional<nav::WheelReading> odometry() override {
         if (clock_.now_s() > lost_at_s) throw nav::RobotError("the base is lost");
         vehicle_.advance(clock_.now_s());
-        return nav::WheelReading{clock_.now_s(), vehicle_.pose(), vehicle_.motion()};
+        nav::WheelReading reading{clock_.now_s(), vehicle_.pose(), vehicle_.motion()};
+        if (clock_.now_s() > nonsense_from_s) reading.T_odom_robot.x_m = std::nan("");
+        return reading;
     }
     void drive(const MotionCommand& command) override { vehicle_.command(clock_.now_s(), command); }
     void stop() override {
@@ -42,6 +45,7 @@ class IdealBase : public nav::RobotBase {
     const sim::Vehicle& vehicle() const { return vehicle_; }
 
     double lost_at_s = 1e9;
+    double nonsense_from_s = 1e9;
     std::atomic<int> stops{0};
 
   private:
@@ -184,6 +188,17 @@ TEST_F(RobotDrive, TimesOfSamplesAndStopsCountFromTheStartOfTheDrive) {
 TEST_F(RobotDrive, OptionsThatMakeNoSenseThrowBeforeTheRobotMoves) {
     options_.config.map.size_m = 1.0;
     EXPECT_THROW(run(), std::invalid_argument);
+    EXPECT_EQ(base_.vehicle().motion().v_mps, 0.0);
+}
+
+TEST_F(RobotDrive, ReadingsThatAreNoNumbersAreSilenceAndStopTheRobot) {
+    base_.nonsense_from_s = 101.0;
+    options_.timeout_s = 5.0;
+    const DriveResult result = run();
+    EXPECT_EQ(result.outcome, Outcome::Timeout);
+    EXPECT_TRUE(std::isfinite(result.path_m));
+    ASSERT_FALSE(result.stops.empty());
+    EXPECT_EQ(result.stops.back().reason, nav::GuardReason::OdometryContradiction);
     EXPECT_EQ(base_.vehicle().motion().v_mps, 0.0);
 }
 

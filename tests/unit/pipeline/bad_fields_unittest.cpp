@@ -48,12 +48,6 @@ TEST(BadField, ConstantGreyIsSkippedAndTheChainGoesOn) {
     expect_recovery(128);
 }
 
-TEST(BadField, TheRatesCarryTheOdometryOn) {
-    const auto steps = testing::run(fields_with(0), cycles_of(5));
-    EXPECT_EQ(steps[bad].v_mps, steps[bad - 1].v_mps);
-    EXPECT_NEAR(steps[bad].T_start_robot.x_m, 3 * 0.016, 0.004);
-}
-
 TEST(BadField, RatesAfterItSpeakOfTheWholeTimeSinceTheLastPicture) {
     testing::DriveOptions options;
     options.images = 6;

@@ -299,8 +299,8 @@ TEST(FieldSource, IntrinsicsThatAreNoPixelsAreErrorsThatAskForThem) {
         image->cameraParams.setIntrinsicParamsFromValues(fx, fy, cx, cy);
         return config_error({image});
     };
-    const double w = image_at(1)->image.getWidth();
-    const double h = image_at(1)->image.getHeight();
+    const auto w = static_cast<double>(image_at(1)->image.getWidth());
+    const auto h = static_cast<double>(image_at(1)->image.getHeight());
     expect_names(error_of(1.1, 1.4, 0.5, 0.5), {"camera.fx_px", "1.1", "are these pixels?"});
     expect_names(error_of(w, 1.4, w / 2, h / 2), {"camera.fy_px", "1.4", "are these pixels?"});
     expect_names(error_of(w, w, 4 * w, h / 2), {"camera.cx_px", "are these pixels?"});

@@ -79,6 +79,7 @@ TEST(Config, ValuesReachTheirPlaces) {
     EXPECT_EQ(with("motion.motion_model", "yaw").pipeline.motion.model, MotionModel::Yaw);
     EXPECT_EQ(with("motion.travel_m", "0.1").pipeline.rate.travel_m, 0.1);
     EXPECT_EQ(with("motion.gap_max_s", "1").pipeline.rate.gap_max_s, 1.0);
+    EXPECT_EQ(with("motion.carry_max_s", "0.5").pipeline.rate.carry_max_s, 0.5);
     EXPECT_EQ(with("obstacles.tau_px", "2").pipeline.obstacles.tau_px, 2.0);
     EXPECT_EQ(with("obstacles.neighbours", "3").pipeline.obstacles.neighbours, 3);
     EXPECT_EQ(with("obstacles.range_max_m", "25").pipeline.obstacles.range_max_m, 25.0);
