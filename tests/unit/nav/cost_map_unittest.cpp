@@ -174,6 +174,31 @@ TEST(CostMap, GroundRightOfTheMapAndAboveItIsUnknown) {
     EXPECT_EQ(costs.cost({columns + 1, rows + 1}), 1.0F) << "the last cell of the map";
 }
 
+TEST(CostMap, GroundLeftOfTheMapAndBelowItIsUnknown) {
+    const PlanParams params;
+    const CostMap costs = costs_of(free_map(), params, 2);
+    const double unknown = 1.0 + params.unknown_cost;
+    for (int beside : {0, 1}) {
+        for (int i = 0; i < columns + 4; ++i) EXPECT_NEAR(costs.cost({i, beside}), unknown, 0.03) << i;
+        for (int i = 0; i < rows + 4; ++i) EXPECT_NEAR(costs.cost({beside, i}), unknown, 0.03) << i;
+    }
+    EXPECT_EQ(costs.cost({2, 2}), 1.0F) << "the first cell of the map";
+}
+
+TEST(CostMap, AnObstacleAtTheBorderOfTheMapIsNoWiderThanItsCell) {
+    const std::vector<Vector2i> places = {{0, 20}, {columns - 1, 20}, {30, 0}, {30, rows - 1}};
+    for (const Vector2i& place : places) {
+        COccupancyGridMap2D map = free_map();
+        map.setCell(place.x(), place.y(), occupied_cell);
+        const CostMap costs = costs_of(map, {}, 1);
+        int obstacles = 0;
+        for (int row = 0; row < rows + 2; ++row)
+            for (int column = 0; column < columns + 2; ++column)
+                obstacles += costs.is_obstacle({column, row});
+        EXPECT_EQ(obstacles, 1) << place.transpose();
+    }
+}
+
 TEST(AreaAround, HoldsTheMapAndBothPointsWithAMargin) {
     PlanParams params;
     params.area_margin_m = 1.0;
