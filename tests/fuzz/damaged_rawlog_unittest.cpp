@@ -5,6 +5,7 @@
 #include <mrpt/obs/CObservationComment.h>
 #include <mrpt/obs/CSensoryFrame.h>
 
+#include <optional>
 #include <random>
 
 #include "flownav/replay/field_source.h"
@@ -106,18 +107,38 @@ unsigned long sum_of_pixels(const ImageView& image) {
     return sum;
 }
 
-/// Reads to the end and looks at every pixel.
+/// A field that was read before, and what its pixels added up to then.
+struct Kept {
+    Field field;
+    unsigned long sum = 0;
+};
+
+/// The camera is the one of the image, fields come in the order of time, and reading on leaves the pixels of
+/// the field before as they were. Looks at every pixel.
+void expect_sound(const Field& field, std::optional<Kept>& before) {
+    ASSERT_FALSE(field.image.empty());
+    EXPECT_EQ(field.image.width_px, field.camera.width_px);
+    EXPECT_EQ(field.image.height_px, field.camera.height_px);
+    EXPECT_GT(field.camera.fx_px, 0.0);
+    EXPECT_GT(field.camera.fy_px, 0.0);
+    EXPECT_GT(field.camera.mount.height_m, 0.0);
+    if (before) {
+        EXPECT_GT(field.timestamp_s, before->field.timestamp_s);
+        EXPECT_EQ(sum_of_pixels(before->field.image), before->sum);
+    }
+    before = {field, sum_of_pixels(field.image)};
+}
+
+/// Reads to the end.
 ReadEnd read_everything(const std::filesystem::path& file) {
     RawlogReader reader(file);
     FieldSource source(reader, {});
+    std::optional<Kept> before;
     while (true) {
         try {
             const auto event = source.next();
             if (!event) return reader.end();
-            if (const auto* field = std::get_if<Field>(&*event)) {
-                EXPECT_FALSE(field->image.empty());
-                EXPECT_GE(sum_of_pixels(field->image), 0U);
-            }
+            if (const auto* field = std::get_if<Field>(&*event)) expect_sound(*field, before);
         } catch (const ConfigError&) {
             // A damaged calibration; reading can go on.
         }

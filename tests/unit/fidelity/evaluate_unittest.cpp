@@ -44,6 +44,7 @@ TEST(Evaluate, OnlyDetectionsBeyondTauCount) {
     EXPECT_EQ(blind.points.near.all, 0);
     const Score seeing = evaluate(drive(), {});
     EXPECT_GT(seeing.blocks.detected.all, 0);
+    EXPECT_GT(seeing.blocks.detected.hits, seeing.blocks.detected.all / 2);
     EXPECT_LE(seeing.blocks.detected.hits, seeing.blocks.detected.all);
 }
 

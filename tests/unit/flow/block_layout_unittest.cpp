@@ -26,7 +26,9 @@ TEST(BlockLayout, PlacesAsManyBlocksAsAsked) {
 }
 
 TEST(BlockLayout, KeepsEveryBlockInsideTheImage) {
-    for (const auto& corner : layout_of({}).corner_px) {
+    const BlockLayout layout = layout_of({});
+    ASSERT_GT(layout.size(), 0U);
+    for (const auto& corner : layout.corner_px) {
         EXPECT_GE(corner.x(), 0);
         EXPECT_GE(corner.y(), 0);
         EXPECT_LE(corner.x() + block_px, camera.width_px);
@@ -43,7 +45,9 @@ TEST(BlockLayout, CentreLiesHalfAPixelBeforeTheMiddleOfSixteen) {
 TEST(BlockLayout, LeavesTheBlindConeEmpty) {
     const RayMapper mapper(camera);
     const PlaneGeometry plane(camera.mount);
-    for (const auto& centre : layout_of({}).centre_px) EXPECT_GE(plane.e(mapper.ray(centre)).norm(), 0.25);
+    const BlockLayout layout = layout_of({});
+    ASSERT_GT(layout.size(), 0U);
+    for (const auto& centre : layout.centre_px) EXPECT_GE(plane.e(mapper.ray(centre)).norm(), 0.25);
 }
 
 TEST(BlockLayout, IsDenserTowardTheHorizon) {

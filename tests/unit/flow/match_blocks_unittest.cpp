@@ -89,6 +89,7 @@ TEST(MatchBlocks, AWindowOutsideTheImageIsNotMeasured) {
     std::vector<FlowVector> vectors;
     const std::vector<Eigen::Vector2i> far(pair.layout.size(), Eigen::Vector2i(5000, 0));
     match_blocks(pair.first.image, pair.second.image, pair.layout, far, {}, vectors);
+    ASSERT_EQ(vectors.size(), pair.layout.size());
     for (const FlowVector& v : vectors) EXPECT_FALSE(v.valid);
 }
 

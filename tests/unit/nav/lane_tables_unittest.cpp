@@ -97,9 +97,12 @@ TEST(LaneTables, AFootprintMayHaveAnyShape) {
 }
 
 TEST(LaneTables, CellsAreOrderedByTheWay) {
-    for (const Lane& lane : tables().lanes)
+    ASSERT_FALSE(tables().lanes.empty());
+    for (const Lane& lane : tables().lanes) {
+        EXPECT_FALSE(lane.cells.empty());
         EXPECT_TRUE(std::is_sorted(lane.cells.begin(), lane.cells.end(),
                                    [](const LaneCell& a, const LaneCell& b) { return a.way < b.way; }));
+    }
 }
 
 TEST(LaneTables, LeftAndRightAreMirrored) {

@@ -41,6 +41,11 @@ Beam beam_of(const std::vector<ObstaclePoint>& points, std::vector<GroundPatch> 
     return scan.beams.at(static_cast<std::size_t>(beam_at(scan, bearing_deg)));
 }
 
+void expect_all_unknown(const VirtualScan& scan) {
+    ASSERT_FALSE(scan.beams.empty());
+    for (const Beam& beam : scan.beams) EXPECT_EQ(beam.kind, BeamKind::Unknown);
+}
+
 TEST(VirtualScan, CoversTheViewOfTheCameraEvenlyToBothSides) {
     const VirtualScan scan = empty_scan();
     EXPECT_NEAR(scan.step_rad, 2.0 * degree, 1e-12);
@@ -54,7 +59,7 @@ TEST(VirtualScan, NothingSeenIsUnknownNotFree) {
     VirtualScan scan = empty_scan();
     std::vector<GroundPatch> none;
     fill_scan(scan, {}, none);
-    for (const Beam& beam : scan.beams) EXPECT_EQ(beam.kind, BeamKind::Unknown);
+    expect_all_unknown(scan);
 }
 
 TEST(VirtualScan, BlindBeamsStayUnknownBesideAnObstacle) {
@@ -105,15 +110,16 @@ TEST(VirtualScan, IsFilledAnewEveryTime) {
     VirtualScan scan = empty_scan();
     std::vector<GroundPatch> patches;
     fill_scan(scan, {point(2.0, 0)}, patches);
+    EXPECT_EQ(scan.beams.at(static_cast<std::size_t>(beam_at(scan, 0.0))).kind, BeamKind::Obstacle);
     fill_scan(scan, {}, patches);
-    for (const Beam& beam : scan.beams) EXPECT_EQ(beam.kind, BeamKind::Unknown);
+    expect_all_unknown(scan);
 }
 
 TEST(VirtualScan, WhatLiesOutsideTheViewIsLeftOut) {
     VirtualScan scan = empty_scan();
     std::vector<GroundPatch> patches = {patch(1, 2, 120)};
     fill_scan(scan, {point(2.0, -90), point(2.0, 180)}, patches);
-    for (const Beam& beam : scan.beams) EXPECT_EQ(beam.kind, BeamKind::Unknown);
+    expect_all_unknown(scan);
 }
 
 }  // namespace

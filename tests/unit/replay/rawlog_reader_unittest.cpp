@@ -277,10 +277,20 @@ TEST(RawlogReader, RawColourImagesAreRead) {
 }
 
 TEST(RawlogReader, ProgressRunsFromZeroToOne) {
+    std::vector<mrpt::serialization::CSerializable::ConstPtr> images;
+    for (unsigned i = 0; i < 600; ++i) images.push_back(image_at(100.0 + 0.04 * i, i + 1));
     const auto file = test_folder() / "input.rawlog";
-    write_bytes(file, gz(serialized(small_recording())));
+    write_bytes(file, gz(serialized(images)));  // 1.8 MB, several buffers
     RawlogReader reader(file);
-    while (reader.next()) EXPECT_LE(reader.progress(), 1.0);
+    double before = reader.progress();
+    EXPECT_LT(before, 0.25);
+    int half_way = 0;
+    for (; reader.next(); before = reader.progress()) {
+        EXPECT_GE(reader.progress(), before);
+        EXPECT_LE(reader.progress(), 1.0);
+        half_way += reader.progress() > 0.25 && reader.progress() < 0.75;
+    }
+    EXPECT_GT(half_way, 200);
     EXPECT_DOUBLE_EQ(reader.progress(), 1.0);
 }
 

@@ -118,13 +118,17 @@ TEST(LkMatcher, WithoutTextureNothingIsConfident) {
     testing::GreyImage grey(pair.first.image.width_px, pair.first.image.height_px);
     std::fill(grey.pixels.begin(), grey.pixels.end(), std::uint8_t{128});
     pair.first.image = pair.second.image = grey.view();
-    for (const FlowVector& v : pair.match()) EXPECT_FALSE(is_confident(v));
+    const std::vector<FlowVector> vectors = pair.match();
+    ASSERT_EQ(vectors.size(), pair.layout.size());
+    for (const FlowVector& v : vectors) EXPECT_FALSE(is_confident(v));
 }
 
 TEST(LkMatcher, ABlockPredictedOutsideTheImageIsNotMeasured) {
     Pair pair;
     pair.predicted_px.assign(pair.layout.size(), Vector2d(5000.0, 0.0));
-    for (const FlowVector& v : pair.match()) EXPECT_FALSE(v.valid);
+    const std::vector<FlowVector> vectors = pair.match();
+    ASSERT_EQ(vectors.size(), pair.layout.size());
+    for (const FlowVector& v : vectors) EXPECT_FALSE(v.valid);
 }
 
 TEST(LkMatcher, AWrongPredictionIsFoundOutOrMadeGood) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 
 #include "flownav/sim/generate_world.h"
@@ -276,14 +275,6 @@ TEST_P(OwnWorld, IsReadWithoutAWarning) {
 
 INSTANTIATE_TEST_SUITE_P(ShareWorlds, OwnWorld, ::testing::ValuesIn(own_worlds()),
                          [](const auto& file) { return file.param.stem().string(); });
-
-TEST(SdfWorld, ReadsBarnsWorldsWithAllTheirPosts) {
-    const char* data = std::getenv("FLOWNAV_DATA");
-    const fs::path folder = fs::path(data ? data : "../shared/data") / "barn" / "BARN";
-    if (!fs::exists(folder / "world_1.world")) GTEST_SKIP() << "needs BARN's worlds, unpacked in " << folder;
-    EXPECT_EQ(read_sdf_world(folder / "world_1.world").world.solids.size(), 237U);
-    EXPECT_EQ(read_sdf_world(folder / "world_250.world").world.solids.size(), 365U);
-}
 
 }  // namespace
 }  // namespace flownav::sim
