@@ -112,7 +112,7 @@ TEST(Consensus, WhatFillsMoreOfTheImageWinsOverMoreVectorsOnOneThing) {
     for (const double side : {1.0, -1.0}) {
         MotionScratch scratch = scratch_with([&](int) { return Turn{0.03 * side, 0.0}; });
         for (int i = 0; i < 600; ++i) {  // three times as many, all in the cells of one corner
-            const Vector2d at(-0.45 + 0.2 * (i % 25) / 25.0, -0.45 + 0.2 * (i / 25) / 24.0);
+            const Vector2d at(-0.45 + 0.2 * (i % 25) / 25.0, -0.45 + 0.2 * std::floor(i / 25.0) / 24.0);
             scratch.across.push_back(row_of(at, {-0.04 * side, 0.0}));
         }
         const Consensus found = consensus_of(scratch, predicted(0.0));
@@ -196,10 +196,10 @@ TEST(Consensus, ACellAgreesWhenMostOfItsVectorsDo) {
     }
 }
 
-TEST(Consensus, APredictionWithHalfOfAllCellsCannotLose) {
-    EXPECT_TRUE(is_unbeatable({{}, {24, 48, 100}, true}));
-    EXPECT_FALSE(is_unbeatable({{}, {23, 48, 100}, true}));
-    EXPECT_FALSE(is_unbeatable({{}, {0, 0, 0}, true}));
+TEST(Consensus, APredictionWithHalfOfAllCellsCannotLoseAgainstAnotherMotion) {
+    EXPECT_TRUE(outvotes_every_other_motion({{}, {24, 48, 100}, true}));
+    EXPECT_FALSE(outvotes_every_other_motion({{}, {23, 48, 100}, true}));
+    EXPECT_FALSE(outvotes_every_other_motion({{}, {0, 0, 0}, true}));
 }
 
 }  // namespace

@@ -52,11 +52,13 @@ class Floor {
         return sample;
     }
     /// Samples all over the lower two thirds of the image.
-    std::vector<MotionSample> samples(const Motion& motion, double step_px = 30.0) const {
+    std::vector<MotionSample> samples(const Motion& motion) const {
+        constexpr int step_px = 30;
         std::vector<MotionSample> all;
-        for (double v = camera_.height_px / 3.0; v < camera_.height_px; v += step_px)
-            for (double u = step_px / 2; u < camera_.width_px; u += step_px)
+        for (int v = camera_.height_px / 3; v < camera_.height_px; v += step_px) {
+            for (int u = step_px / 2; u < camera_.width_px; u += step_px)
                 all.push_back(sample({u, v}, motion));
+        }
         return all;
     }
     const CameraModel& camera() const { return camera_; }
@@ -80,8 +82,9 @@ Travel travel_of(const std::vector<MotionSample>& samples, double omega_rad = 0.
 /// Those of the samples inside or outside the ground window, at most `count`.
 std::vector<MotionSample> some(const std::vector<MotionSample>& samples, bool in_window, std::size_t count) {
     std::vector<MotionSample> chosen;
-    for (const MotionSample& s : samples)
+    for (const MotionSample& s : samples) {
         if (s.in_ground_window == in_window && chosen.size() < count) chosen.push_back(s);
+    }
     return chosen;
 }
 
@@ -89,9 +92,11 @@ std::vector<MotionSample> some(const std::vector<MotionSample>& samples, bool in
 std::vector<MotionSample> beside_window(const Motion& motion, std::size_t count) {
     std::vector<MotionSample> samples;
     const Floor floor;
-    for (std::size_t i = 0; i < count; ++i)
+    samples.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
         samples.push_back(
             floor.sample({i % 2 == 0 ? 40.0 : 600.0, 350.0 + 4.0 * static_cast<double>(i)}, motion));
+    }
     return samples;
 }
 
@@ -148,6 +153,7 @@ TEST(FitTravel, WithTooFewVectorsItIsNotMeasured) {
 
 TEST(FitTravel, TheFarFloorDoesNotCount) {
     std::vector<MotionSample> far;
+    far.reserve(100);
     const Floor floor;
     for (int i = 0; i < 100; ++i) far.push_back(floor.sample({20.0 + 6.0 * i, 110.0 + i % 10}, {0.064, 0.0}));
     EXPECT_EQ(travel_of(far).support, 0);

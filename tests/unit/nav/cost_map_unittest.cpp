@@ -28,8 +28,8 @@ COccupancyGridMap2D free_map() {
 }
 
 /// The cells of free_map() and `border` more on every side.
-CellArea area_with(int border) {
-    CellArea area;
+GridArea area_with(int border) {
+    GridArea area;
     area.cell_m = cell_m;
     area.origin_m = Vector2d(-1.0, -0.5) - Vector2d::Constant(border * cell_m);
     area.columns = columns + 2 * border;
@@ -192,9 +192,10 @@ TEST(CostMap, AnObstacleAtTheBorderOfTheMapIsNoWiderThanItsCell) {
         map.setCell(place.x(), place.y(), occupied_cell);
         const CostMap costs = costs_of(map, {}, 1);
         int obstacles = 0;
-        for (int row = 0; row < rows + 2; ++row)
+        for (int row = 0; row < rows + 2; ++row) {
             for (int column = 0; column < columns + 2; ++column)
                 obstacles += costs.is_obstacle({column, row});
+        }
         EXPECT_EQ(obstacles, 1) << place.transpose();
     }
 }
@@ -202,7 +203,7 @@ TEST(CostMap, AnObstacleAtTheBorderOfTheMapIsNoWiderThanItsCell) {
 TEST(AreaAround, HoldsTheMapAndBothPointsWithAMargin) {
     PlanParams params;
     params.area_margin_m = 1.0;
-    const CellArea area = area_around(free_map(), {0.0, 0.0}, {5.0, -3.0}, params);
+    const GridArea area = area_around(free_map(), {0.0, 0.0}, {5.0, -3.0}, params);
     for (const Vector2d& p : {Vector2d(-0.99, -0.49), Vector2d(1.99, 1.49), Vector2d(5.98, -3.98)})
         EXPECT_TRUE(area.contains(area.cell_of(p))) << p.transpose();
     const Vector2d high_m = area.origin_m + area.cell_m * Vector2d(area.columns, area.rows);
@@ -215,7 +216,7 @@ TEST(AreaAround, HoldsTheMapAndBothPointsWithAMargin) {
 TEST(AreaAround, IsCutToItsGreatestEdgeAboutTheRobot) {
     PlanParams params;
     params.area_max_m = 4.0;
-    const CellArea area = area_around(free_map(), {10.0, 0.0}, {100.0, 0.0}, params);
+    const GridArea area = area_around(free_map(), {10.0, 0.0}, {100.0, 0.0}, params);
     EXPECT_NEAR(area.origin_m.x(), 8.0, 2 * cell_m);
     EXPECT_NEAR(area.origin_m.y(), -2.0, 2 * cell_m);
     EXPECT_NEAR(area.columns * area.cell_m, 4.0, 3 * cell_m);

@@ -21,17 +21,19 @@ constexpr int height_px = 80;
 
 /// Grey of a pattern without any regularity, 40..199, at every integer point of the plane.
 int grey_at(int u, int v) {
-    return 40 +
-           static_cast<int>(mix(static_cast<std::uint64_t>(u + 1000), static_cast<std::uint64_t>(v)) % 160);
+    const auto x = static_cast<std::uint64_t>(u);
+    const auto y = static_cast<std::uint64_t>(v);
+    return 40 + static_cast<int>(mix(x, y) % 160);
 }
 
 /// The pattern, moved to the right and down by `shift_px` and brighter by `brighter` grey levels.
 Field field_of(double timestamp_s, const Vector2i& shift_px = Vector2i::Zero(), int brighter = 0) {
     auto image = std::make_shared<GreyImage>(width_px, height_px);
     for (int v = 0; v < height_px; ++v) {
-        for (int u = 0; u < width_px; ++u)
-            image->row(v)[u] =
-                static_cast<std::uint8_t>(grey_at(u - shift_px.x(), v - shift_px.y()) + brighter);
+        for (int u = 0; u < width_px; ++u) {
+            const int grey = grey_at(u - shift_px.x(), v - shift_px.y()) + brighter;
+            image->row(v)[u] = static_cast<std::uint8_t>(grey);
+        }
     }
     return {timestamp_s, image->view(), standard_camera(width_px, height_px), image};
 }
@@ -66,9 +68,10 @@ std::optional<int> sum_of_differences(const ImageView& reference, const ImageVie
         return {};
     int sum = 0;
     for (int v = 0; v < edge_px; ++v) {
-        for (int u = 0; u < edge_px; ++u)
-            sum += std::abs(reference.at(corner_px.x() + u, corner_px.y() + v) -
-                            newer.at(at.x() + u, at.y() + v));
+        for (int u = 0; u < edge_px; ++u) {
+            const int there = newer.at(at.x() + u, at.y() + v);
+            sum += std::abs(reference.at(corner_px.x() + u, corner_px.y() + v) - there);
+        }
     }
     return sum;
 }
