@@ -12,6 +12,8 @@
 namespace flownav {
 namespace {
 
+constexpr double ahead_s = 0.1;  // by which a time stamp may be later than now
+
 nav::Pilot make_pilot(const DriveOptions& options) {
     const NavigationParams& navigation = options.config.navigation;
     nav::NavigatorOptions navigator;
@@ -97,13 +99,16 @@ class Loop {
     }
 
     void control(double now_s) {
+        // What is no number, or comes from the future, is left out: the guard hears the silence.
+        const double latest_s = now_s + ahead_s;
         const auto reading = robot_.base.odometry();
-        if (reading && is_finite(*reading)) {  // silence, which the guard hears, is better than nonsense
+        if (reading && is_finite(*reading) && reading->time_s <= latest_s) {
             wheels_ = *reading;
             observer_.on_odometry(reading->time_s, reading->T_odom_robot);
             autopilot_.odometry(reading->time_s, reading->T_odom_robot, reading->motion);
         }
-        for (const nav::Sensed& sensed : robot_.feed.arrived()) autopilot_.sensed(sensed);
+        for (const nav::Sensed& sensed : robot_.feed.arrived())
+            if (sensed.report.timestamp_s <= latest_s) autopilot_.sensed(sensed);
         const MotionCommand command = autopilot_.command(now_s, options_.navigator);
         robot_.base.drive(command);
         note(now_s, command);

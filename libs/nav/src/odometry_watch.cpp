@@ -32,17 +32,30 @@ void OdometryWatch::odometry(double time_s, const Pose2& T_odom_robot) {
         const double way_max_m =
             hurry * std::max(robot_.v_max_mps, robot_.v_back_mps) * dt_s + params_.jump_m;
         const double turn_max_rad = hurry * robot_.omega_max_radps * dt_s + params_.jump_rad;
-        if (std::hypot(moved.x_m, moved.y_m) > way_max_m || std::abs(moved.yaw_rad) > turn_max_rad) {
-            jumped_s_ = time_s;
-            wheels_.clear();
-            turns_.clear();
-            ways_.clear();
-            cycle_s_.reset();
-        }
+        if (std::hypot(moved.x_m, moved.y_m) > way_max_m || std::abs(moved.yaw_rad) > turn_max_rad)
+            forget_before(time_s);
     }
     newest_s_ = time_s;
     wheels_.push_back({time_s, T_odom_robot});
     while (time_s - wheels_.front().time_s > history_s) wheels_.pop_front();
+}
+
+void OdometryWatch::forget_before(double time_s) {
+    jumped_s_ = time_s;
+    wheels_.clear();
+    turns_.clear();
+    ways_.clear();
+    cycle_s_.reset();
+}
+
+/// After a time stamp in the future every right one would look older, and nobody would notice that none
+/// comes.
+void OdometryWatch::forget_future(double time_s) {
+    const double latest_s = time_s + params_.ahead_s;
+    if (last_ && last_->timestamp_s > latest_s) last_.reset();
+    if (newest_s_ <= latest_s) return;
+    forget_before(time_s);
+    newest_s_ = time_s;
 }
 
 std::optional<Pose2> OdometryWatch::wheels_at(double time_s) const {
@@ -136,8 +149,9 @@ Fault OdometryWatch::contradiction(const std::deque<Pair>& pairs, double free, d
             sentence("over ", params_.window_s, " s the wheels tell ", wheels, what, ", the flow ", flow)};
 }
 
-Fault OdometryWatch::fault(double time_s) const {
+Fault OdometryWatch::fault(double time_s) {
     if (newest_s_ < -1e8) return {};  // a robot without wheel odometry
+    forget_future(time_s);
     if (repeated_fields_ >= params_.frozen_fields && repeated_way_m_ >= params_.frozen_way_m) {
         return {GuardReason::SensorFrozen,
                 sentence("the last ", repeated_fields_, " images are alike, though the wheels moved ",

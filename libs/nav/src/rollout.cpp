@@ -64,7 +64,10 @@ std::vector<Vector2d> obstacles_near(const mrpt::maps::COccupancyGridMap2D& map,
 }
 
 double reach_m(const RobotModel& robot, const FootprintField& field, const LaneParams& params) {
-    return stopping_distance_m(robot, robot.v_max_mps) + robot.v_max_mps * params.period_s + field.radius_m();
+    // The robot goes on for the delay of the command, its period, and the delay of the stop; the first of
+    // these is part of the stopping distance.
+    return stopping_distance_m(robot, robot.v_max_mps) + robot.v_max_mps * (params.period_s + robot.delay_s) +
+           field.radius_m();
 }
 
 bool can_still_stop(const RobotModel& robot, const FootprintField& field,
@@ -77,9 +80,11 @@ bool can_still_stop(const RobotModel& robot, const FootprintField& field,
     const double stop_s = told_s + params.period_s + robot.delay_s;
     for (int i = 0; i * step_s < longest_s; ++i) {
         const double t = i * step_s;
+        const MotionCommand before = now;
         if (t >= told_s) now = after_step(robot, now, t < stop_s ? command : MotionCommand{});
-        if (t >= stop_s && now.v_mps == 0.0 && now.omega_radps == 0.0) break;
-        pose = compose(pose, pose_after(now, step_s));
+        const MotionCommand mean{(before.v_mps + now.v_mps) / 2, (before.omega_radps + now.omega_radps) / 2};
+        if (t >= stop_s && mean.v_mps == 0.0 && mean.omega_radps == 0.0) break;
+        pose = compose(pose, pose_after(mean, step_s));
         if (touches(field, obstacles_m, pose, margin_m)) return false;
     }
     return true;

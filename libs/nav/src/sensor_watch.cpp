@@ -35,6 +35,14 @@ void SensorWatch::note_sectors(const SensorReport& report) {
 }
 
 Fault SensorWatch::fault(double time_s) {
+    if (newest_ && newest_->timestamp_s > time_s + params_.ahead_s) {
+        // Forgotten, or every field with a right time stamp would count as older.
+        const double ahead_s = newest_->timestamp_s - time_s;
+        newest_.reset();
+        arrived_ = partly_blind_ = false;
+        return {GuardReason::SensorStale,
+                sentence("the newest field is dated ", ahead_s, " s in the future")};
+    }
     if (arrived_) last_arrival_s_ = time_s;
     arrived_ = false;
     partly_blind_ = false;
@@ -49,9 +57,6 @@ Fault SensorWatch::stale(double time_s) const {
     const auto because = [](const std::string& why) { return Fault{GuardReason::SensorStale, why}; };
     if (!newest_) return because("no field has come yet");
     const double age_s = time_s - newest_->timestamp_s;
-    if (age_s < -params_.ahead_s) {
-        return because(sentence("the newest field is dated ", -age_s, " s in the future"));
-    }
     if (time_s - last_arrival_s_ > params_.stale_s) {
         return because(sentence("no field for ", time_s - last_arrival_s_, " s"));
     }
@@ -62,13 +67,13 @@ Fault SensorWatch::stale(double time_s) const {
 Fault SensorWatch::unseeing() const {
     const FieldStatus status = newest_->status;
     const double unseen_s = newest_->timestamp_s - last_seen_s_;
-    const bool waits = status == FieldStatus::Waiting;
-    if (unseen_s > params_.blind_s + (waits ? params_.waiting_s : 0.0)) {
+    const double more_s = status == FieldStatus::Waiting ? params_.waiting_s : 0.0;
+    if (unseen_s > params_.blind_s + more_s) {
         return {GuardReason::SensorBlind,
                 sentence("no field with enough vectors for ", unseen_s, " s: ", to_string(status))};
     }
     const double lost_s = newest_->timestamp_s - last_ok_s_;
-    if (lost_s > params_.lost_s) {
+    if (lost_s > params_.lost_s + more_s) {
         return {GuardReason::OmegaLost, sentence("no common motion of the vectors for ", lost_s, " s")};
     }
     return {};

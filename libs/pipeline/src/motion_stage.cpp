@@ -70,15 +70,25 @@ double carried_part_s(const Impl& s, double held_s, double interval_s) {
     return std::clamp(s.params.rate.carry_max_s - held_s, 0.0, interval_s);
 }
 
-/// A motion of which not everything was measured goes on as predicted, but not for ever.
-void stop_carrying(const Impl& s, bool turn_measured, double since_last_s, EgoMotion& motion) {
-    const EgoMotion before = s.cycle.empty() ? EgoMotion{} : s.cycle.back().motion;
-    const double way_s = carried_part_s(s, s.rates.v_held_s, since_last_s);
-    if (!motion.forward_measured && way_s < since_last_s)
-        motion.forward_m = before.forward_m + s.rates.v_mps * way_s;
-    const double turn_s = carried_part_s(s, s.rates.held_s, since_last_s);
-    if (!turn_measured && turn_s < since_last_s)
-        motion.omega_rad = before.omega_rad + s.rates.omega_radps * turn_s;
+/// The parts of an interval during which turn and way are still carried over; all of it when measured.
+struct CarriedParts {
+    double turn_s = 0.0;
+    double way_s = 0.0;
+};
+
+CarriedParts carried_parts(const Impl& s, bool turn_measured, bool way_measured, double interval_s) {
+    return {turn_measured ? interval_s : carried_part_s(s, s.rates.held_s, interval_s),
+            way_measured ? interval_s : carried_part_s(s, s.rates.v_held_s, interval_s)};
+}
+
+/// The motion since the reference as the odometry counts it: as measured or predicted, but what is not
+/// measured does not go on for ever.
+EgoMotion counted_motion(const Impl& s, const CarriedParts& parts, double interval_s) {
+    EgoMotion counted = s.step.motion;
+    if (parts.turn_s < interval_s)
+        counted.omega_rad = s.counted.omega_rad + s.rates.omega_radps * parts.turn_s;
+    if (parts.way_s < interval_s) counted.forward_m = s.counted.forward_m + s.rates.v_mps * parts.way_s;
+    return counted;
 }
 
 /// A rotation can be seen far away while the near floor moves so much faster than predicted that no window
@@ -141,11 +151,8 @@ void accept_motion(Impl& s, bool is_credible, const MotionPrediction& prediction
     const bool ok = out.status == FieldStatus::Ok;
     const EgoMotion& measured = s.measured.estimate.motion;
     out.motion = ok ? measured : unmeasured_motion(prediction);
-    stop_carrying(s, ok, since_last_s, out.motion);
     s.rates.known |= ok;
-    s.rates.held_s = ok ? 0.0 : s.rates.held_s + since_last_s;
     s.rates.v_known |= out.motion.forward_measured;
-    s.rates.v_held_s = out.motion.forward_measured ? 0.0 : s.rates.v_held_s + since_last_s;
     if (out.motion.forward_measured) {
         s.rates.sigma_v_relative =
             out.motion.sigma_forward_m / std::max(std::abs(out.motion.forward_m), 1e-6);
@@ -163,21 +170,29 @@ void accept_motion(Impl& s, bool is_credible, const MotionPrediction& prediction
 
 void publish_motion(Impl& s, double since_last_s) {
     Step& out = s.step;
+    const bool ok = out.status == FieldStatus::Ok;
+    const CarriedParts parts = carried_parts(s, ok, out.motion.forward_measured, since_last_s);
+    s.counted = counted_motion(s, parts, since_last_s);
+    out.T_start_robot = compose(s.T_start_reference, pose_after(s.counted));
+    s.rates.held_s = ok ? 0.0 : s.rates.held_s + since_last_s;
+    s.rates.v_held_s = out.motion.forward_measured ? 0.0 : s.rates.v_held_s + since_last_s;
+
+    // The next field is predicted as if the motion went on: that finds it again.
     const EgoMotion& before = s.last_measured.motion;
     const double since_measured_s = out.timestamp_s - s.last_measured.timestamp_s;
-    out.omega_radps = (out.motion.omega_rad - before.omega_rad) / since_measured_s;
+    s.rates.omega_radps = (out.motion.omega_rad - before.omega_rad) / since_measured_s;
+    s.rates.v_mps = out.motion.forward_m / seconds_since_reference(s);
+    out.omega_radps = parts.turn_s > 0.0 ? s.rates.omega_radps : 0.0;
+    out.v_mps = parts.way_s > 0.0 ? s.rates.v_mps : 0.0;
     out.pitch_rate_radps = (out.motion.pitch_rad - before.pitch_rad) / since_measured_s;
-    out.v_mps = out.motion.forward_m / seconds_since_reference(s);
-    out.cycle_images = s.rates.v_known ? plan_cycle(s.params.rate, out.v_mps * since_last_s, since_last_s)
+
+    out.cycle_images = s.rates.v_known ? plan_cycle(s.params.rate, s.rates.v_mps * since_last_s, since_last_s)
                                        : blind_cycle_images;
-    const bool complete = out.image_of_cycle >= out.cycle_images && out.status == FieldStatus::Ok;
+    const bool complete = out.image_of_cycle >= out.cycle_images && ok;
     note_comparison(s);
     out.end_of_cycle = worn_out(s) || complete;  // an image that could not be compared is no good reference
     out.v_measured = out.motion.forward_measured && out.end_of_cycle;
-    out.T_start_robot = compose(s.T_start_reference, pose_after(out.motion));
-    s.rates.omega_radps = out.omega_radps;
-    s.rates.v_mps = out.v_mps;
-    if (out.status == FieldStatus::Ok) s.last_measured = {out.motion, out.timestamp_s};
+    if (ok) s.last_measured = {out.motion, out.timestamp_s};
 }
 
 void carry_over(Impl& s, double since_picture_s, double since_field_s) {

@@ -34,6 +34,7 @@ void begin_cycle(Impl& s) {
     s.cycle.clear();
     s.has_reference = true;
     s.failures = 0;
+    s.counted = {};
     s.last_measured = {EgoMotion{}, s.reference.field.timestamp_s};
     s.T_start_reference = s.step.T_start_robot;
     aim_layouts(s);

@@ -51,6 +51,7 @@ struct State::Impl {
         EgoMotion motion;
         double timestamp_s = 0.0;
     } last_measured;                  ///< of this cycle; the reference when nothing else
+    EgoMotion counted;                ///< since the reference, as T_start_robot has it
     int first_inliers = 0;            ///< of the cycle's first image
     int failures = 0;                 ///< images in a row that could not be compared
     std::vector<ImageOfCycle> cycle;  ///< images 1..j of the running cycle

@@ -33,6 +33,10 @@ class IdealBase : public nav::RobotBase {
         if (clock_.now_s() > lost_at_s) throw nav::RobotError("the base is lost");
         vehicle_.advance(clock_.now_s());
         nav::WheelReading reading{clock_.now_s(), vehicle_.pose(), vehicle_.motion()};
+        if (clock_.now_s() > future_at_s) {
+            reading.time_s += 1000.0;
+            future_at_s = 1e9;
+        }
         if (clock_.now_s() > nonsense_from_s) reading.T_odom_robot.x_m = std::nan("");
         return reading;
     }
@@ -46,6 +50,7 @@ class IdealBase : public nav::RobotBase {
 
     double lost_at_s = 1e9;
     double nonsense_from_s = 1e9;
+    double future_at_s = 1e9;  ///< one reading
     std::atomic<int> stops{0};
 
   private:
@@ -65,6 +70,10 @@ class FreeGround : public SensorFeed {
         nav::Sensed sensed;
         sensed.by_camera = false;
         sensed.report.timestamp_s = clock_.now_s();
+        if (clock_.now_s() > future_at_s) {
+            sensed.report.timestamp_s += 1000.0;
+            future_at_s = 1e9;
+        }
         sensed.report.end_of_cycle = true;
         sensed.ground.push_back({{-1.0, 0.0}, {5.0, 0.0}, 4.0});
         return {sensed};
@@ -73,6 +82,7 @@ class FreeGround : public SensorFeed {
 
     double blind_at_s = 1e9;
     double ends_at_s = 1e9;
+    double future_at_s = 1e9;  ///< one scan
 
   private:
     const VirtualClock& clock_;
@@ -200,6 +210,18 @@ TEST_F(RobotDrive, ReadingsThatAreNoNumbersAreSilenceAndStopTheRobot) {
     ASSERT_FALSE(result.stops.empty());
     EXPECT_EQ(result.stops.back().reason, nav::GuardReason::OdometryContradiction);
     EXPECT_EQ(base_.vehicle().motion().v_mps, 0.0);
+}
+
+TEST_F(RobotDrive, OneReadingFromTheFutureIsLeftOutAndTheRobotArrives) {
+    base_.future_at_s = 101.0;
+    const DriveResult result = run();
+    EXPECT_EQ(result.outcome, Outcome::Reached);
+    EXPECT_NEAR(base_.vehicle().pose().x_m, 2.0, 0.35);
+}
+
+TEST_F(RobotDrive, AScanFromTheFutureIsLeftOutAndTheRobotArrives) {
+    feed_.future_at_s = 101.0;
+    EXPECT_EQ(run().outcome, Outcome::Reached);
 }
 
 /// Hangs until the base is told to stop.

@@ -122,7 +122,7 @@ TEST(DriveMap, TheFinestMapEndsWhereItsCellsCanStillBeCounted) {
     EXPECT_NEAR(map.half_m(), 200.0, 1e-9);
     for (const double side : {-1.0, 1.0}) {
         const double x_m = side * 199.5;
-        for (int i = 0; i < 2; ++i) map.insert(set_seeing(x_m, 0.05, {x_m - 1.0, 0.0, 0.0}));
+        for (int i = 0; i < 2; ++i) map.insert(set_seeing(x_m, 0.05, {x_m - side, 0.0, 0.0}));
         EXPECT_GT(occupancy(map.grid(), x_m + 0.005, 0.055), 0.7) << side;
     }
     EXPECT_LE(map.grid().getSizeX(), 20001U);

@@ -262,5 +262,13 @@ TEST(OdometryWatch, DoesNotConfirmWhatStandsOrWhatDiffers) {
     }
 }
 
+TEST(OdometryWatch, AfterATimeStampFarInTheFutureSilenceIsStillNoticed) {
+    Drive drive = both({0.0, 0.0});
+    drive.go(1.0);
+    drive.watch.odometry(drive.time_s + 1000.0, drive.pose());
+    drive.with_odometry = false;
+    EXPECT_EQ(drive.go(2.0).reason, GuardReason::OdometryContradiction);
+}
+
 }  // namespace
 }  // namespace flownav::nav

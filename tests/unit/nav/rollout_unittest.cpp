@@ -161,5 +161,31 @@ TEST(Reach, NothingFartherAwayThanItMatters) {
     }
 }
 
+TEST(CanStillStop, WhatItAllowsIsNotTouchedByAFastRobotEither) {
+    for (const double v_mps : {1.0, 1.5, 2.0}) {
+        RobotModel robot;
+        robot.v_max_mps = v_mps;
+        robot.accel_mps2 = 4.0;
+        const MotionCommand fastest{v_mps, 0.0};
+        const double way_m = v_mps * (2 * robot.delay_s + LaneParams().period_s) + v_mps * v_mps / 2;
+        for (int mm = -100; mm <= 100; mm += 5) {
+            const Vector2d obstacle_m(front_m + way_m + 0.001 * mm, 0.0);
+            if (!allows(robot, obstacle_m, fastest, fastest)) continue;
+            EXPECT_GT(nearest_m(robot, obstacle_m, fastest, fastest), 0.0)
+                << v_mps << " m/s, " << mm << " mm";
+        }
+    }
+}
+
+TEST(Reach, OfARobotThatReactsSlowlyNothingFartherAwayMattersEither) {
+    RobotModel robot;
+    robot.v_max_mps = 1.5;
+    robot.delay_s = 0.3;
+    const FootprintField field(robot.footprint_m, field_reach_m);
+    const double far_m = reach_m(robot, field, LaneParams()) + 0.001;
+    const MotionCommand fastest{robot.v_max_mps, 0.0};
+    EXPECT_TRUE(allows(robot, {far_m, 0.0}, fastest, fastest)) << far_m;
+}
+
 }  // namespace
 }  // namespace flownav::nav

@@ -189,5 +189,22 @@ TEST(SensorWatch, AStaleSensorIsNotPartlyBlind) {
     EXPECT_FALSE(stream.watch.is_partly_blind());
 }
 
+TEST(SensorWatch, SaysNothingOfASensorThatStartsAnewWithinTheLongerLimit) {
+    Stream stream;
+    stream.feed(1.0);
+    for (int field = 0; field < 29; ++field) {
+        const Fault fault = stream.feed(field_s, FieldStatus::Waiting);
+        EXPECT_FALSE(fault) << stream.time_s - 1.0 << " s: " << to_string(fault.reason) << ", " << fault.why;
+    }
+}
+
+TEST(SensorWatch, OneTimeStampFarInTheFutureDoesNotSilenceThoseAfterIt) {
+    Stream stream;
+    stream.feed(1.0);
+    stream.watch.sensed(report_at(stream.time_s + 1000.0));
+    stream.watch.fault(stream.time_s);
+    EXPECT_FALSE(stream.feed(1.0));
+}
+
 }  // namespace
 }  // namespace flownav::nav

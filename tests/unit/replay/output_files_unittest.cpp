@@ -112,14 +112,16 @@ TEST(EgomotionCsv, HasTheDocumentedColumns) {
     const auto file = test_folder() / "e.csv";
     EgomotionCsv csv(file);
     csv.write(testing::step_at(0));
-    csv.write(testing::step_at(4));
+    pipeline::Step later = testing::step_at(4);
+    later.carried = {0.25, 0.03, 0.004};
+    csv.write(later);
     csv.close();
     EXPECT_EQ(
         content(file),
         "timestamp,status,omega_radps,pitch_rate_radps,v_mps,v_measured,image_of_cycle,placed,confident,"
-        "inliers,ground_window,obstacles\n"
-        "1000.000000,waiting,,,,0,0,0,0,0,0,0\n"
-        "1000.160000,ok,0.200000,-0.001000,0.400000,1,4,350,320,300,20,2\n");
+        "inliers,ground_window,obstacles,carried_s,carried_sigma_m,carried_sigma_rad\n"
+        "1000.000000,waiting,,,,0,0,0,0,0,0,0,0.000000,0.0000,0.00000\n"
+        "1000.160000,ok,0.200000,-0.001000,0.400000,1,4,350,320,300,20,2,0.250000,0.0300,0.00400\n");
 }
 
 TEST(EgomotionCsv, ATurnThatWasNotMeasuredAndNumbersThatAreNoneAreEmptyCells) {

@@ -54,8 +54,10 @@ TEST(ViewModel, TheTimelineIsThatOfEgomotionCsv) {
         std::string start = time_text(row.timestamp_s) + ',' + to_string(row.status) + ',';
         if (row.status == FieldStatus::Ok) start += fixed_text(row.omega_radps, 6);
         EXPECT_EQ(line.substr(0, start.size()), start);
-        const std::string end = ',' + std::to_string(row.obstacles);
-        EXPECT_EQ(line.substr(line.size() - end.size()), end);
+        const std::string end =
+            ',' + std::to_string(row.obstacles) + ',' + fixed_text(row.carried.since_s, 6) + ',' +
+            fixed_text(row.carried.sigma_m, 4) + ',' + fixed_text(row.carried.sigma_rad, 5);
+        EXPECT_EQ(line.substr(line.size() - std::min(line.size(), end.size())), end);
         if (row.status != FieldStatus::Waiting) {
             EXPECT_NE(line.find(',' + fixed_text(row.v_mps, 6) + ','), std::string::npos) << line;
         }

@@ -20,6 +20,7 @@ struct OdometryWatchParams {
     double jump_rad = 0.1;       ///< or turn, by this
     double silent_s = 0.5;       ///< without odometry, once there was some
     double hold_s = 1.0;         ///< a jump is remembered for so long
+    double ahead_s = 0.1;        ///< time stamps may be so far in the future
     int frozen_fields = 3;       ///< in a row are the same image once more, while
     double frozen_way_m = 0.01;  ///< the outline moves so far by the wheels
 };
@@ -32,7 +33,8 @@ class OdometryWatch {
 
     void odometry(double time_s, const Pose2& T_odom_robot);
     void sensed(const SensorReport& report);
-    Fault fault(double time_s) const;
+    /// What is wrong at `time_s`. Forgets what is dated in the future.
+    Fault fault(double time_s);
 
     /// Flow and wheels agreed about a motion that both measured, after `since_s`.
     bool is_confirmed_since(double since_s) const;
@@ -52,6 +54,8 @@ class OdometryWatch {
 
     std::optional<Pose2> wheels_between(double from_s, double to_s) const;
     std::optional<Pose2> wheels_at(double time_s) const;
+    void forget_before(double time_s);
+    void forget_future(double time_s);
     void compare_turn(const SensorReport& report);
     void compare_way(const SensorReport& report);
     void count_repeated(const SensorReport& report);
