@@ -106,5 +106,10 @@ TEST(WholePx, RoundsToTheNearestOnBothSidesOfZero) {
     EXPECT_EQ(whole_px({1.6, -1.6}), Eigen::Vector2i(2, -2));
 }
 
+TEST(WholePx, WhatNoIntegerHoldsIsFarAway) {
+    for (const double value : {1e9, -1e9, 1e300, infinite, not_a_number})
+        EXPECT_EQ(whole_px({value, -value}), Eigen::Vector2i::Constant(100000000)) << value;
+}
+
 }  // namespace
 }  // namespace flownav
