@@ -1,0 +1,55 @@
+// Decoding and drawing in threads of their own: what the thread sanitizer looks at.
+#include <gtest/gtest.h>
+
+#include "../support/temporary_folder.h"
+#include "decode_ahead.h"
+#include "flownav/replay/replay.h"
+
+namespace flownav {
+namespace {
+
+using testing::bytes_of;
+using testing::TemporaryFolder;
+
+/// Times of all events, and where reading ended.
+std::vector<double> times_of(bool ahead) {
+    RawlogReader reader(FLOWNAV_CORRIDOR);
+    FieldSource source(reader, {});
+    std::optional<DecodeAhead> thread;
+    if (ahead) thread.emplace(source, reader);
+    std::vector<double> times_s;
+    while (const auto event = (ahead ? thread->next() : decode_next(source, reader)).event) {
+        const auto* field = std::get_if<Field>(&*event);
+        times_s.push_back(field ? field->timestamp_s : std::get<PoseSample>(*event).timestamp_s);
+    }
+    return times_s;
+}
+
+TEST(ThreadedReplay, DecodingAheadHandsOutTheSameEvents) {
+    const auto times_s = times_of(true);
+    EXPECT_GT(times_s.size(), 60U);
+    EXPECT_EQ(times_s, times_of(false));
+}
+
+TEST(ThreadedReplay, ADecoderThatIsNotReadToItsEndGoesAtOnce) {
+    RawlogReader reader(FLOWNAV_CORRIDOR);
+    FieldSource source(reader, {});
+    DecodeAhead ahead(source, reader);
+    EXPECT_TRUE(ahead.next().event);
+}
+
+TEST(ThreadedReplay, TwoThreadsGiveTheFilesOfOne) {
+    const TemporaryFolder folder;
+    for (const int threads : {1, 2}) {
+        ReplayOptions options;
+        options.input = FLOWNAV_CORRIDOR;
+        options.output = folder / std::to_string(threads);
+        options.config.pipeline.threads = threads;
+        ASSERT_EQ(replay(options).status, ExitStatus::Fine);
+    }
+    for (const char* name : {"trajectory.tum", "obstacles.csv", "result.rawlog", "report.html"})
+        EXPECT_EQ(bytes_of(folder / "1" / name), bytes_of(folder / "2" / name)) << name;
+}
+
+}  // namespace
+}  // namespace flownav
