@@ -151,6 +151,7 @@ int drive(NavOptions options, const StopRequest& stop, std::ostream& out, std::o
     if (stop.release) stop.release();
     if (!options.quiet) out << closing_line(options, result, wall_s) << std::endl;
     if (result.outcome == Outcome::Lost) error << "flownav-nav: " << result.why << '\n';
+    recorder.complete();  // first: what was measured is kept whatever else cannot be written
     const int left_out = recorder.fields_left_out();
     if (left_out > 0) {
         error << "flownav-nav: warning: " << left_out
@@ -159,7 +160,6 @@ int drive(NavOptions options, const StopRequest& stop, std::ostream& out, std::o
     if (!options.result.empty()) write_file(options.result, result_json(options, result, left_out));
     if (!options.picture.empty())
         write_picture(options.picture, drive_picture(options.drive, result, onlooker.map()));
-    recorder.complete();
     report(options);
     return status_of(result.outcome);
 }

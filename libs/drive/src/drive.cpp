@@ -31,19 +31,13 @@ nav::Pilot make_pilot(const DriveOptions& options) {
     return {navigation.robot, pilot, nav::make_navigator(navigator), options.goals_m};
 }
 
-void stop_quietly(nav::RobotBase& base) {
+/// Calls `stop`; a base that is lost stops by itself.
+template <class Stop>
+void quietly(const Stop& stop) {
     try {
-        base.stop();
+        stop();
     } catch (const std::exception&) {
-        // A base that is lost stops by itself.
-    }
-}
-
-void emergency_stop_quietly(nav::RobotBase& base) {
-    try {
-        base.emergency_stop();
-    } catch (const std::exception&) {
-        // A base that is lost stops by itself.
+        // Nothing is left to be told.
     }
 }
 
@@ -74,7 +68,7 @@ class Loop {
         } catch (const std::exception& error) {
             end(Outcome::Lost, error.what());
         }
-        stop_quietly(robot_.base);
+        quietly([this] { robot_.base.stop(); });
         observer_.on_end(autopilot_);
         for (const nav::GuardEvent& event : autopilot_.guard().events()) {
             result_.stops.push_back(event);
@@ -87,7 +81,7 @@ class Loop {
     void run() {
         std::optional<nav::Watchdog> watchdog;
         if (options_.hung_s > 0.0) {
-            watchdog.emplace([this] { emergency_stop_quietly(robot_.base); });
+            watchdog.emplace([this] { quietly([this] { robot_.base.emergency_stop(); }); });
             watchdog->start_watchdog(options_.hung_s);
         }
         began_s_ = robot_.clock.now_s();

@@ -129,6 +129,15 @@ TEST(NavApp, AnOutputThatCannotBeWrittenIsNamed) {
     EXPECT_NE(result.error.find(file.string()), std::string::npos);
 }
 
+TEST(NavApp, TheRecordingIsKeptThoughTheResultCannotBeWritten) {
+    const fs::path record = folder() / "run.rawlog";
+    const AppOutcome result = run({"--generate", "corridor", "--width", "160", "--height", "120",
+                                   "--timeout-s", "1", "--result", "/dev/full", "--record", record.string()});
+    EXPECT_EQ(result.status, 3);
+    EXPECT_NE(result.error.find("/dev/full"), std::string::npos) << result.error;
+    EXPECT_TRUE(fs::exists(record));
+}
+
 TEST(NavApp, ADriveThatSeesIsRecordedAndReplayedIntoItsReport) {
     const fs::path out = folder();
     const AppOutcome result = run({"--generate", "corridor", "--width", "320", "--height", "240",
