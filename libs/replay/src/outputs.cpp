@@ -72,7 +72,7 @@ void Outputs::write(const Field& field, const pipeline::Step& step) {
     if (video_) video_->write(field, step, map_.grid());
 }
 
-void Outputs::finish(Drive& drive, const Timing* timing) {
+void Outputs::finish(Drive& drive, const Filmstrip& filmstrip, const Timing* timing) {
     trajectory_.close();
     egomotion_.close();
     obstacles_.close();
@@ -85,7 +85,7 @@ void Outputs::finish(Drive& drive, const Timing* timing) {
     write_map(map_.grid(), folder_);
     written_.map_cells = count_cells(map_.grid());
     drive.written = written_;
-    write_file(folder_ / "report.html", report_html(drive, map_.grid(), config_, timing));
+    write_file(folder_ / "report.html", report_html(drive, filmstrip, map_.grid(), config_, timing));
 }
 
 void Outputs::write_summary(const Drive& drive, const Timing& timing) {

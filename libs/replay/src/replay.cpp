@@ -42,7 +42,7 @@ class Run {
         : options_(options),
           state_(options.config.pipeline, clock_.timed(make_matcher(matching(options.config.pipeline)))) {
         timing_.threads = options.config.pipeline.threads;
-        drive_.filmstrip = Filmstrip(several_threads());
+        filmstrip_ = Filmstrip(several_threads());
         const bool own = options.config.pipeline.flow.matcher == MatcherKind::Sad;
         timing_.kernel = own ? pipeline::kernel_name() : "opencv";
         drive_.input_name = options.input.filename().string();
@@ -160,7 +160,7 @@ class Run {
         clock_.enter(&StageTimes::map_s);
         outputs_->map(step);
         clock_.enter(&StageTimes::write_s);
-        drive_.filmstrip.offer(field, step);
+        filmstrip_.offer(field, step);
         outputs_->write(field, step);
         clock_.end_field(field.timestamp_s);
     }
@@ -188,7 +188,7 @@ class Run {
     void finish() {
         open_outputs();
         clock_.enter(&StageTimes::write_s);
-        drive_.filmstrip.finish();
+        filmstrip_.finish();
         drive_.odometry.finish();
         drive_.ground_truth.finish();
         if (!drive_.odometry.empty()) drive_.odometry_errors = compare(drive_.rows, drive_.odometry);
@@ -198,7 +198,7 @@ class Run {
         drive_.field_faults = state_.last_step().faults;
         add_warnings();
         clock_.report(timing_);
-        outputs_->finish(drive_, options_.timing_in_report ? &timing_ : nullptr);
+        outputs_->finish(drive_, filmstrip_, options_.timing_in_report ? &timing_ : nullptr);
     }
 
     ExitStatus status() const {
@@ -239,6 +239,7 @@ class Run {
     pipeline::State state_;
     CameraChecker checker_{options_.config.pipeline.motion.geometry};
     Drive drive_;
+    Filmstrip filmstrip_;
     Timing timing_;
     std::vector<PoseSample> early_odometry_;
     std::optional<Outputs> outputs_;

@@ -63,10 +63,10 @@ std::string beginning(const Drive& drive) {
 }
 
 /// The pictures, which the script makes to follow the cursor.
-std::string strip(const Drive& drive) {
+std::string strip(const Filmstrip& filmstrip, double start_s) {
     std::string html = "<div id='strip' tabindex='0'>\n";
-    for (const Filmstrip::Picture& picture : drive.filmstrip.pictures()) {
-        const std::string time_s = fixed_text(picture.timestamp_s - drive.rows.front().timestamp_s, 2);
+    for (const Filmstrip::Picture& picture : filmstrip.pictures()) {
+        const std::string time_s = fixed_text(picture.timestamp_s - start_s, 2);
         html += "<figure><img alt='annotated field at ";
         html += time_s;
         html += " s' src='";
@@ -110,9 +110,9 @@ std::string fates_legend() {
     return html::table({{"block"}, {"here", true}, {"meaning"}}, rows);
 }
 
-std::string panel(const Drive& drive) {
+std::string panel(const Filmstrip& filmstrip, double start_s) {
     return "<aside id='panel'>\n<div id='follow'><p id='readout'></p>\n<img id='large' alt=''></div>\n" +
-           strip(drive) + fates_legend() +
+           strip(filmstrip, start_s) + fates_legend() +
            "<p class='help'>Arrows are the vectors of the running cycle, from its first field to this one; "
            "they "
            "end where the block is now. Fields of half the lines are shown at their true height.</p>\n"
@@ -144,20 +144,21 @@ std::string curves(const Drive& drive) {
 
 }  // namespace
 
-std::string report_html(const Drive& drive, const mrpt::maps::COccupancyGridMap2D& map, const Config& config,
+std::string report_html(const Drive& drive, const Filmstrip& filmstrip,
+                        const mrpt::maps::COccupancyGridMap2D& map, const Config& config,
                         const Timing* timing) {
     std::string html = beginning(drive);
     if (!drive.rows.empty()) {
         html +=
             "<noscript><p class='bad'>The charts need JavaScript, which is switched off here; pictures and "
             "tables show without.</p></noscript>\n<main>\n" +
-            curves(drive) + panel(drive) + "</main>\n";
+            curves(drive) + panel(filmstrip, drive.rows.front().timestamp_s) + "</main>\n";
     }
     html += report_tables(drive, config);
     html += "<footer>flownav-replay " + html::escaped(version()) +
             ". Every file and figure: share/doc/outputs.md of flownav.</footer>\n";
     if (!drive.rows.empty()) {
-        html += "<script type='application/json' id='data'>" + report_data(drive, map, timing) +
+        html += "<script type='application/json' id='data'>" + report_data(drive, filmstrip, map, timing) +
                 "</script>\n<script>" + dygraphs_script + "</script>\n<script>" + report_script +
                 "</script>\n";
     }

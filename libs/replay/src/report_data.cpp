@@ -146,16 +146,16 @@ Json map_json(const Drive& drive, const mrpt::maps::COccupancyGridMap2D& map) {
 }
 
 /// The pictures themselves stand in the page.
-Json pictures_json(const Drive& drive) {
+Json pictures_json(const Filmstrip& filmstrip, double start_s) {
     Json pictures = Json::array();
-    for (const Filmstrip::Picture& picture : drive.filmstrip.pictures()) {
+    for (const Filmstrip::Picture& picture : filmstrip.pictures()) {
         Json points = Json::array();
         for (const Eigen::Vector2d& point : picture.points_m)
             points.push_back({rounded(point.x(), 2), rounded(point.y(), 2)});
         Json fates = Json::array();
         for (const FateStyle& style : fate_styles())
             fates.push_back(picture.fates.at(static_cast<std::size_t>(style.fate)));
-        pictures.push_back({{"t", rounded(picture.timestamp_s - drive.rows.front().timestamp_s, 3)},
+        pictures.push_back({{"t", rounded(picture.timestamp_s - start_s, 3)},
                             {"fates", std::move(fates)},
                             {"points", std::move(points)}});
     }
@@ -164,15 +164,15 @@ Json pictures_json(const Drive& drive) {
 
 }  // namespace
 
-std::string report_data(const Drive& drive, const mrpt::maps::COccupancyGridMap2D& map,
-                        const Timing* timing) {
+std::string report_data(const Drive& drive, const Filmstrip& filmstrip,
+                        const mrpt::maps::COccupancyGridMap2D& map, const Timing* timing) {
     Json data;
     data["input"] = drive.input_name;
     data["charts"] = charts_json(drive);
     data["status"] = status_json(drive.rows);
     data["tracks"] = tracks_json(drive);
     data["map"] = map_json(drive, map);
-    data["pictures"] = pictures_json(drive);
+    data["pictures"] = pictures_json(filmstrip, drive.rows.front().timestamp_s);
     data["timing"] = timing == nullptr ? Json(nullptr) : timing_facts(*timing);
     return html::inside_script(data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }

@@ -4,11 +4,13 @@
 #include <string>
 
 #include "flownav/replay/drive.h"
+#include "flownav/replay/filmstrip.h"
 
 namespace flownav {
 
 /// Everything that the script of report.html draws, as JSON that may stand inside a <script> element whatever
 /// names it holds. `timing` may be null.
-std::string report_data(const Drive& drive, const mrpt::maps::COccupancyGridMap2D& map, const Timing* timing);
+std::string report_data(const Drive& drive, const Filmstrip& filmstrip,
+                        const mrpt::maps::COccupancyGridMap2D& map, const Timing* timing);
 
 }  // namespace flownav

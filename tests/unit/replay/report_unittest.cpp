@@ -24,7 +24,7 @@ mrpt::maps::COccupancyGridMap2D small_map() {
 }
 
 std::string report_of(const Drive& drive, const Timing* timing = nullptr) {
-    return report_html(drive, small_map(), Config{}, timing);
+    return report_html(drive, testing::sample_filmstrip(60), small_map(), Config{}, timing);
 }
 
 std::size_t count_of(const std::string& text, const std::string& part) {
@@ -168,7 +168,7 @@ TEST(Report, ADriveWithoutAFieldSaysSo) {
     drive.input_name = "a&b.rawlog";
     drive.end.kind = ReadEnd::Kind::Corrupt;
     drive.end.message = "this is no rawlog";
-    const std::string html = report_html(drive, {}, Config{});
+    const std::string html = report_html(drive, Filmstrip(), {}, Config{});
     EXPECT_TRUE(has(html, "Replay of a&amp;b.rawlog"));
     EXPECT_TRUE(has(html, "No field could be used"));
 }
@@ -193,7 +193,7 @@ TEST(Report, NamesCannotBecomeMarkup) {
     drive.written.result_rawlog[evil] = 1;
     Config config;
     config.camera.camera_label = evil;
-    const std::string html = report_html(drive, small_map(), config);
+    const std::string html = report_html(drive, testing::sample_filmstrip(10), small_map(), config);
     EXPECT_EQ(count_of(html, "<script"), scripts);
     EXPECT_EQ(count_of(html, "</script"), scripts);
     EXPECT_FALSE(has(html, "<b x"));
@@ -249,7 +249,7 @@ TEST(Report, TheMapLiesWhereItBelongs) {
     EXPECT_NEAR(map["cell"].get<double>(), 0.1, 1e-6);
     EXPECT_LT(map["x"].get<double>(), 0.0);
     EXPECT_GT(map["x"].get<double>() + map["columns"].get<double>() * 0.1, 2.0);
-    EXPECT_TRUE(data_of(report_html(sample_drive(5), {}, Config{}))["map"].is_null());
+    EXPECT_TRUE(data_of(report_html(sample_drive(5), Filmstrip(), {}, Config{}))["map"].is_null());
 }
 
 TEST(MapPicture, ShowsTheKnownPartWithYUp) {

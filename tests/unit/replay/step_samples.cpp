@@ -78,7 +78,6 @@ Drive sample_drive(int fields) {
         const pipeline::Step step = step_at(i);
         const Pose2& pose = step.T_start_robot;
         drive.rows.push_back(row_of(step));
-        drive.filmstrip.offer(pal_field(i), step);
         drive.odometry.add(step.timestamp_s, {pose.x_m, pose.y_m, 0, pose.yaw_rad, 0, 0});
         drive.ground_truth.add(step.timestamp_s, {pose.x_m, pose.y_m, 0, pose.yaw_rad, 0, 0});
     }
@@ -87,6 +86,12 @@ Drive sample_drive(int fields) {
     drive.odometry_errors = compare(drive.rows, drive.odometry);
     drive.ground_truth_errors = compare(drive.rows, drive.ground_truth);
     return drive;
+}
+
+Filmstrip sample_filmstrip(int fields) {
+    Filmstrip filmstrip;
+    for (int i = 0; i < fields; ++i) filmstrip.offer(pal_field(i), step_at(i));
+    return filmstrip;
 }
 
 std::string content(const std::filesystem::path& file) {

@@ -5,6 +5,7 @@
 #include "flownav/core/field.h"
 #include "flownav/pipeline/step.h"
 #include "flownav/replay/drive.h"
+#include "flownav/replay/filmstrip.h"
 
 /// Hand-made steps, fields and drives for the tests of writing.
 namespace flownav::testing {
@@ -21,6 +22,9 @@ Field pal_field(int i);
 
 /// Such a drive as it stands before the outputs are finished, with odometry and ground truth that are exact.
 Drive sample_drive(int fields);
+
+/// The pictures of such a drive.
+Filmstrip sample_filmstrip(int fields);
 
 /// What a file holds; fails the test when it cannot be read.
 std::string content(const std::filesystem::path& file);

@@ -10,7 +10,6 @@
 #include "flownav/replay/camera_check.h"
 #include "flownav/replay/field_row.h"
 #include "flownav/replay/field_source.h"
-#include "flownav/replay/filmstrip.h"
 #include "flownav/replay/metrics.h"
 #include "flownav/replay/pose_track.h"
 #include "flownav/replay/rawlog_reader.h"
@@ -45,7 +44,6 @@ struct Drive {
     std::optional<Errors> odometry_errors;      ///< empty when the rawlog has no odometry
     std::optional<Errors> ground_truth_errors;  ///< empty when the rawlog has no ground truth
     CameraCheck camera_check;
-    Filmstrip filmstrip;  ///< pictures of the fields
 };
 
 /// How the input ended, in one word, as summary.json has it.

@@ -8,6 +8,7 @@
 #include "flownav/pipeline/step.h"
 #include "flownav/replay/csv_files.h"
 #include "flownav/replay/drive.h"
+#include "flownav/replay/filmstrip.h"
 #include "flownav/replay/drive_video.h"
 #include "flownav/replay/flow_field_file.h"
 #include "flownav/replay/result_rawlog.h"
@@ -39,7 +40,7 @@ class Outputs {
     void write_odometry(const PoseSample& sample) { rawlog_.write_odometry(sample); }
 
     /// Pose tracks, map and report, with `timing` in it unless null; fills drive.written.
-    void finish(Drive& drive, const Timing* timing = nullptr);
+    void finish(Drive& drive, const Filmstrip& filmstrip, const Timing* timing = nullptr);
 
     /// summary.json, which counts what finish() wrote.
     void write_summary(const Drive& drive, const Timing& timing);

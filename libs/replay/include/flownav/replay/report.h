@@ -4,13 +4,15 @@
 #include <string>
 
 #include "flownav/replay/drive.h"
+#include "flownav/replay/filmstrip.h"
 #include "flownav/sensor/config.h"
 
 namespace flownav {
 
 /// report.html: one file that opens offline, with linked charts over time, way, map, annotated fields and
 /// every figure in words. The same drive gives the same bytes, unless the times of `timing` shall be shown.
-std::string report_html(const Drive& drive, const mrpt::maps::COccupancyGridMap2D& map, const Config& config,
+std::string report_html(const Drive& drive, const Filmstrip& filmstrip,
+                        const mrpt::maps::COccupancyGridMap2D& map, const Config& config,
                         const Timing* timing = nullptr);
 
 }  // namespace flownav
