@@ -37,20 +37,29 @@ if(FLOWNAV_TIDY)
     set(CMAKE_CXX_CLANG_TIDY ${FLOWNAV_CLANG_TIDY} --quiet --extra-arg=-Wno-unknown-warning-option)
 endif()
 
-# flownav_library(NAME core SOURCES a.cpp ... LINKS target ... [PRIVATE_LINKS target ...]) makes flownav::core.
+# flownav_library(NAME core [SOURCES a.cpp ...] LINKS target ... [PRIVATE_LINKS target ...]) makes flownav::core. Without
+# sources it is a library of headers.
 function(flownav_library)
     cmake_parse_arguments(LIB "" "NAME" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
-    add_library(flownav_${LIB_NAME} STATIC ${LIB_SOURCES})
+    set(scope PUBLIC)
+    if(LIB_SOURCES)
+        add_library(flownav_${LIB_NAME} STATIC ${LIB_SOURCES})
+        target_link_libraries(flownav_${LIB_NAME} PRIVATE ${LIB_PRIVATE_LINKS} $<BUILD_INTERFACE:flownav_options>)
+    else()
+        add_library(flownav_${LIB_NAME} INTERFACE)
+        set(scope INTERFACE)
+    endif()
     add_library(flownav::${LIB_NAME} ALIAS flownav_${LIB_NAME})
-    target_include_directories(flownav_${LIB_NAME} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
-                                                          $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-    target_link_libraries(flownav_${LIB_NAME} PUBLIC ${LIB_LINKS} PRIVATE ${LIB_PRIVATE_LINKS}
-                                                                          $<BUILD_INTERFACE:flownav_options>)
-    target_compile_features(flownav_${LIB_NAME} PUBLIC cxx_std_17)
+    target_include_directories(flownav_${LIB_NAME} ${scope} $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+                                                            $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    target_link_libraries(flownav_${LIB_NAME} ${scope} ${LIB_LINKS})
+    target_compile_features(flownav_${LIB_NAME} ${scope} cxx_std_17)
     set_target_properties(flownav_${LIB_NAME} PROPERTIES EXPORT_NAME ${LIB_NAME} OUTPUT_NAME flownav-${LIB_NAME})
     install(TARGETS flownav_${LIB_NAME} EXPORT flownavTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
                                                               LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-    install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/include)
+        install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    endif()
     set_property(GLOBAL APPEND PROPERTY FLOWNAV_COMPONENTS ${LIB_NAME})
 endfunction()
 
@@ -58,8 +67,7 @@ endfunction()
 function(flownav_app)
     cmake_parse_arguments(APP "" "NAME" "SOURCES;LINKS" ${ARGN})
     add_executable(flownav-${APP_NAME} ${APP_SOURCES})
-    target_include_directories(flownav-${APP_NAME} PRIVATE ${PROJECT_SOURCE_DIR}/apps)
-    target_link_libraries(flownav-${APP_NAME} PRIVATE ${APP_LINKS} flownav_options)
+    target_link_libraries(flownav-${APP_NAME} PRIVATE ${APP_LINKS} flownav::cli flownav_options)
     install(TARGETS flownav-${APP_NAME} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
     set_property(GLOBAL APPEND PROPERTY FLOWNAV_APPS ${APP_NAME})
 endfunction()

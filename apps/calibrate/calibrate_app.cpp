@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "command_output.h"
-#include "configuration.h"
+#include "flownav/calibration/calibration.h"
+#include "flownav/cli/command_output.h"
+#include "flownav/cli/configuration.h"
 #include "flownav/core/version.h"
-#include "flownav/replay/calibration.h"
 
 namespace flownav {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <ostream>
 
-#include "command_output.h"
+#include "flownav/cli/command_output.h"
+#include "flownav/config/config.h"
 #include "flownav/core/version.h"
-#include "flownav/sensor/config.h"
 
 namespace flownav {
 namespace {

@@ -8,10 +8,10 @@
 #include <cstdlib>
 #include <optional>
 
-#include "command_output.h"
+#include "flownav/cli/command_output.h"
 #include "flownav/core/version.h"
-#include "flownav/producer/flow_obstacle_sensor.h"
-#include "flownav/replay/output_file.h"
+#include "flownav/io/flow_obstacle_sensor.h"
+#include "flownav/io/output_file.h"
 #include "grab_progress.h"
 #include "grabber.h"
 

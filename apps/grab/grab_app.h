@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "stop_signals.h"
+#include "flownav/cli/stop_signals.h"
 
 namespace flownav {
 

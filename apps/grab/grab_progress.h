@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "flownav/replay/progress.h"
+#include "flownav/cli/progress.h"
 #include "grabber.h"
 
 namespace flownav {

@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "flownav/replay/output_file.h"
+#include "flownav/io/output_file.h"
 #include "gz_member.h"
 
 namespace flownav {

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "flownav/producer/flow_obstacle_sensor.h"
+#include "flownav/io/flow_obstacle_sensor.h"
 
 namespace flownav {
 

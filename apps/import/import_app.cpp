@@ -3,13 +3,13 @@
 #include <memory>
 #include <ostream>
 
-#include "flownav/replay/image_folder.h"
-#include "flownav/replay/kitti.h"
-#include "flownav/replay/output_file.h"
-#include "flownav/replay/progress.h"
-#include "flownav/replay/rawlog_reader.h"
-#include "flownav/replay/recording_writer.h"
-#include "flownav/replay/video_file.h"
+#include "flownav/cli/progress.h"
+#include "flownav/io/image_folder.h"
+#include "flownav/io/kitti.h"
+#include "flownav/io/output_file.h"
+#include "flownav/io/rawlog_reader.h"
+#include "flownav/io/recording_writer.h"
+#include "flownav/io/video_file.h"
 #include "import_options.h"
 
 namespace flownav {

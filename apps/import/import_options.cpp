@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "command_output.h"
+#include "flownav/cli/command_output.h"
 #include "flownav/core/version.h"
 
 namespace flownav {

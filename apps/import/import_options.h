@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "flownav/config/config.h"
 #include "flownav/core/camera_model.h"
-#include "flownav/sensor/config.h"
 
 namespace flownav {
 

@@ -1,8 +1,8 @@
 #include <csignal>
 #include <iostream>
 
+#include "flownav/cli/stop_signals.h"
 #include "nav_app.h"
-#include "stop_signals.h"
 
 int main(int argc, char** argv) {
     const flownav::StopSignals signals;

@@ -6,11 +6,11 @@
 
 #include "drive_files.h"
 #include "drive_picture.h"
+#include "flownav/cli/number_text.h"
 #include "flownav/drive/camera_thread.h"
 #include "flownav/drive/drive_recorder.h"
+#include "flownav/io/output_file.h"
 #include "flownav/nav/tcp_robot.h"
-#include "flownav/replay/number_text.h"
-#include "flownav/replay/output_file.h"
 #include "flownav/replay/replay.h"
 #include "nav_options.h"
 

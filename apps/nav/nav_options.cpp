@@ -8,11 +8,11 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "command_output.h"
-#include "configuration.h"
+#include "flownav/cli/command_output.h"
+#include "flownav/cli/configuration.h"
+#include "flownav/config/config_value.h"
 #include "flownav/core/version.h"
 #include "flownav/nav/tcp_robot.h"
-#include "flownav/sensor/config_value.h"
 #include "flownav/sim/generate_world.h"
 #include "flownav/sim/sdf_world.h"
 

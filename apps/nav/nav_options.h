@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "flownav/drive/simulated_drive.h"
-#include "flownav/producer/producer_settings.h"
+#include "flownav/io/producer_settings.h"
 
 namespace flownav {
 

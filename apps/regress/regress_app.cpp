@@ -3,11 +3,11 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "commands.h"
-#include "exit_status.h"
-#include "flownav/replay/output_file.h"
-#include "flownav/sensor/config.h"
-#include "usage_error.h"
+#include "flownav/config/config.h"
+#include "flownav/io/output_file.h"
+#include "flownav/regress/commands.h"
+#include "flownav/regress/exit_status.h"
+#include "flownav/regress/usage_error.h"
 
 namespace flownav {
 

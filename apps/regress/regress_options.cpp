@@ -1,4 +1,4 @@
-#include "regress_options.h"
+#include "flownav/regress/regress_options.h"
 
 #include <mrpt/3rdparty/tclap/CmdLine.h>
 #include <sched.h>
@@ -7,11 +7,11 @@
 #include <map>
 #include <set>
 
-#include "command_output.h"
-#include "exit_status.h"
+#include "flownav/cli/command_output.h"
 #include "flownav/core/version.h"
+#include "flownav/regress/exit_status.h"
+#include "flownav/regress/usage_error.h"
 #include "regress_help.h"
-#include "usage_error.h"
 
 namespace flownav::regress {
 

@@ -4,12 +4,12 @@
 
 #include <optional>
 
-#include "command_output.h"
-#include "configuration.h"
+#include "flownav/cli/command_output.h"
+#include "flownav/cli/configuration.h"
+#include "flownav/config/config.h"
 #include "flownav/core/version.h"
 #include "flownav/replay/realtime.h"
 #include "flownav/replay/replay.h"
-#include "flownav/sensor/config.h"
 
 namespace flownav {
 

@@ -5,9 +5,9 @@
 #include <future>
 #include <ostream>
 
-#include "flownav/replay/drive_recording.h"
-#include "flownav/replay/output_file.h"
-#include "flownav/replay/progress.h"
+#include "flownav/cli/progress.h"
+#include "flownav/io/drive_recording.h"
+#include "flownav/io/output_file.h"
 #include "flownav/sim/collision.h"
 #include "flownav/sim/sdf_world.h"
 #include "sim_options.h"

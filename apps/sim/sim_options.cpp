@@ -4,10 +4,10 @@
 #include <limits>
 #include <memory>
 
-#include "command_output.h"
-#include "configuration.h"
+#include "flownav/cli/command_output.h"
+#include "flownav/cli/configuration.h"
+#include "flownav/config/config_value.h"
 #include "flownav/core/version.h"
-#include "flownav/sensor/config_value.h"
 #include "flownav/sim/drive_script.h"
 #include "flownav/sim/generate_world.h"
 #include "flownav/sim/sdf_world.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "flownav/replay/fate_style.h"
-#include "flownav/replay/number_text.h"
+#include "flownav/cli/number_text.h"
+#include "flownav/report/fate_style.h"
 #include "ink.h"
 
 namespace flownav::view {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "flownav/replay/output_file.h"
+#include "flownav/io/output_file.h"
 
 namespace flownav::view {
 

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
 
-#include "flownav/replay/video_output_file.h"
+#include "flownav/io/video_output_file.h"
 #include "view_picture.h"
 
 namespace flownav::view {

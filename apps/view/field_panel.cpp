@@ -5,10 +5,10 @@
 #include <opencv2/imgproc.hpp>
 
 #include "blind_cone.h"
+#include "flownav/cli/number_text.h"
 #include "flownav/core/plane_geometry.h"
 #include "flownav/flow/kernel.h"
-#include "flownav/replay/field_drawing.h"
-#include "flownav/replay/number_text.h"
+#include "flownav/report/field_drawing.h"
 #include "ink.h"
 
 namespace flownav::view {

@@ -6,9 +6,9 @@
 
 #include <cstdlib>
 
-#include "flownav/replay/output_file.h"
-#include "flownav/replay/rawlog_reader.h"
-#include "flownav/sensor/observations.h"
+#include "flownav/io/observations.h"
+#include "flownav/io/output_file.h"
+#include "flownav/io/rawlog_reader.h"
 
 namespace flownav::view {
 

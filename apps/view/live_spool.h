@@ -7,7 +7,7 @@
 #include <string>
 #include <thread>
 
-#include "flownav/producer/live_fields.h"
+#include "flownav/io/live_fields.h"
 
 namespace flownav::view {
 

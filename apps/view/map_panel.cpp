@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "flownav/replay/number_text.h"
+#include "flownav/cli/number_text.h"
 #include "ink.h"
 
 namespace flownav::view {

@@ -1,7 +1,7 @@
 #include "runner.h"
 
-#include "flownav/replay/field_row.h"
-#include "flownav/sensor/make_state.h"
+#include "flownav/config/make_state.h"
+#include "flownav/evaluation/field_row.h"
 
 namespace flownav::view {
 

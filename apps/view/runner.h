@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "flownav/config/config.h"
+#include "flownav/io/field_source.h"
 #include "flownav/pipeline/pipeline.h"
-#include "flownav/replay/field_source.h"
-#include "flownav/sensor/config.h"
 #include "frame.h"
 
 namespace flownav::view {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flownav/replay/number_text.h"
+#include "flownav/cli/number_text.h"
 
 namespace flownav::view {
 

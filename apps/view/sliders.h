@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "flownav/sensor/config.h"
+#include "flownav/config/config.h"
 
 namespace flownav::view {
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <opencv2/imgproc.hpp>
 
-#include "flownav/replay/number_text.h"
+#include "flownav/cli/number_text.h"
 #include "ink.h"
 
 namespace flownav::view {

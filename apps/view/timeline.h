@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "flownav/replay/field_row.h"
-#include "flownav/replay/pose_track.h"
-#include "flownav/replay/rawlog_reader.h"
+#include "flownav/evaluation/field_row.h"
+#include "flownav/evaluation/pose_track.h"
+#include "flownav/io/rawlog_reader.h"
 
 namespace flownav::view {
 

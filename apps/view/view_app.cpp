@@ -3,10 +3,10 @@
 #include <mrpt/3rdparty/tclap/CmdLine.h>
 
 #include "clip.h"
-#include "command_output.h"
-#include "configuration.h"
+#include "flownav/cli/command_output.h"
+#include "flownav/cli/configuration.h"
 #include "flownav/core/version.h"
-#include "flownav/replay/output_file.h"
+#include "flownav/io/output_file.h"
 #include "flownav/replay/replay.h"
 #include "live_spool.h"
 #include "state_json.h"

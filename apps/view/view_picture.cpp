@@ -4,8 +4,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "block_panel.h"
-#include "flownav/replay/field_drawing.h"
-#include "flownav/replay/number_text.h"
+#include "flownav/cli/number_text.h"
+#include "flownav/report/field_drawing.h"
 #include "ink.h"
 #include "map_panel.h"
 #include "strip_panel.h"

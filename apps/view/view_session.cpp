@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flownav/replay/number_text.h"
-#include "flownav/replay/output_file.h"
+#include "flownav/cli/number_text.h"
+#include "flownav/io/output_file.h"
 #include "sliders.h"
 #include "state_json.h"
 #include "strip_panel.h"

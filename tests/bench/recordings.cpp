@@ -14,7 +14,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "flownav/replay/rawlog_reader.h"
+#include "flownav/io/rawlog_reader.h"
 #include "sample.h"
 
 namespace flownav::bench {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "benchmarks.h"
-#include "flownav/replay/field_source.h"
+#include "flownav/io/field_source.h"
 #include "flownav/replay/replay.h"
 #include "sample.h"
 

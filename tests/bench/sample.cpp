@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "flownav/replay/field_source.h"
+#include "flownav/io/field_source.h"
 
 namespace flownav::bench {
 

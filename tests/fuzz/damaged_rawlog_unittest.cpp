@@ -8,7 +8,7 @@
 #include <optional>
 #include <random>
 
-#include "flownav/replay/field_source.h"
+#include "flownav/io/field_source.h"
 #include "rawlog_files.h"
 
 /// A machine with little memory: what the address sanitizer would otherwise call an error becomes a null

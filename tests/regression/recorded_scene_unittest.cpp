@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "flownav/evaluation/metrics.h"
+#include "flownav/io/field_source.h"
 #include "flownav/pipeline/pipeline.h"
-#include "flownav/replay/field_source.h"
-#include "flownav/replay/metrics.h"
 
 namespace flownav {
 namespace {

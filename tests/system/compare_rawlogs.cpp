@@ -10,7 +10,7 @@
 #include <cmath>
 #include <ostream>
 
-#include "flownav/replay/rawlog_reader.h"
+#include "flownav/io/rawlog_reader.h"
 
 namespace flownav::testing {
 namespace {

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "flownav/replay/field_source.h"
+#include "flownav/io/field_source.h"
 
 namespace flownav::testing {
 namespace {

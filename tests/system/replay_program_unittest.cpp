@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "flownav/replay/rawlog_reader.h"
+#include "flownav/io/rawlog_reader.h"
 #include "program.h"
 #include "rawlog_files.h"
 

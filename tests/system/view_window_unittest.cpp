@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
-#include "flownav/replay/fate_style.h"
+#include "flownav/report/fate_style.h"
 #include "view_samples.h"
 #include "x_display.h"
 

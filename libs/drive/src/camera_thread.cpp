@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include "flownav/config/make_state.h"
 #include "flownav/pipeline/pipeline.h"
-#include "flownav/sensor/make_state.h"
 
 namespace flownav {
 namespace {

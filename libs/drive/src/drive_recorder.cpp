@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "background_writer.h"
-#include "flownav/replay/drive_recording.h"
-#include "flownav/replay/number_text.h"
-#include "flownav/replay/output_file.h"
+#include "flownav/cli/number_text.h"
+#include "flownav/io/drive_recording.h"
+#include "flownav/io/output_file.h"
 
 namespace flownav {
 namespace {

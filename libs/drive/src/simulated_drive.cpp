@@ -4,8 +4,8 @@
 #include <deque>
 #include <utility>
 
+#include "flownav/config/make_state.h"
 #include "flownav/pipeline/pipeline.h"
-#include "flownav/sensor/make_state.h"
 #include "flownav/sim/collision.h"
 #include "flownav/sim/vehicle.h"
 #include "simulated_clock.h"

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "block_greys.h"
-#include "flownav/core/order_statistic.h"
 #include "flownav/flow/block_bounds.h"
+#include "flownav/math/order_statistic.h"
 
 namespace flownav {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "flownav/core/grid2d.h"
 #include "flownav/mapping/fusion.h"
+#include "flownav/math/grid2d.h"
 
 namespace flownav {
 

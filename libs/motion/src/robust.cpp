@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flownav/core/order_statistic.h"
+#include "flownav/math/order_statistic.h"
 
 namespace flownav {
 

@@ -2,9 +2,9 @@
 
 #include <system_error>
 
+#include "flownav/evaluation/summary.h"
 #include "flownav/mapping/export.h"
-#include "flownav/replay/report.h"
-#include "flownav/replay/summary.h"
+#include "flownav/report/report.h"
 
 namespace flownav {
 

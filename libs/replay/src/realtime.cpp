@@ -8,15 +8,15 @@
 #include <thread>
 #include <variant>
 
+#include "flownav/cli/number_text.h"
+#include "flownav/config/make_state.h"
 #include "flownav/core/version.h"
+#include "flownav/io/field_source.h"
+#include "flownav/io/input_path.h"
+#include "flownav/io/output_file.h"
 #include "flownav/mapping/local_map.h"
 #include "flownav/pipeline/pipeline.h"
-#include "flownav/replay/field_source.h"
-#include "flownav/replay/number_text.h"
-#include "flownav/replay/output_file.h"
 #include "flownav/replay/paced_run.h"
-#include "flownav/sensor/make_state.h"
-#include "input_path.h"
 
 namespace flownav {
 

@@ -5,14 +5,14 @@
 #include <system_error>
 #include <variant>
 
-#include "decode_ahead.h"
+#include "flownav/cli/number_text.h"
+#include "flownav/config/make_state.h"
+#include "flownav/evaluation/drive.h"
+#include "flownav/evaluation/stage_clock.h"
+#include "flownav/io/decode_ahead.h"
+#include "flownav/io/input_path.h"
 #include "flownav/pipeline/pipeline.h"
-#include "flownav/replay/drive.h"
-#include "flownav/replay/number_text.h"
 #include "flownav/replay/outputs.h"
-#include "flownav/sensor/make_state.h"
-#include "input_path.h"
-#include "stage_clock.h"
 
 namespace flownav {
 

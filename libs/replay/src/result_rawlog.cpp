@@ -1,6 +1,6 @@
 #include "flownav/replay/result_rawlog.h"
 
-#include "flownav/sensor/observations.h"
+#include "flownav/io/observations.h"
 
 namespace flownav {
 

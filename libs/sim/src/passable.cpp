@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "flownav/core/grid2d.h"
+#include "flownav/math/grid2d.h"
 #include "flownav/sim/plan_view.h"
 
 namespace flownav::sim {

@@ -1,7 +1,7 @@
 #include "chain_run.h"
 
-#include "flownav/sensor/camera_conversion.h"
-#include "flownav/sensor/make_state.h"
+#include "flownav/config/make_state.h"
+#include "flownav/io/camera_conversion.h"
 
 namespace flownav::fidelity {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <functional>
 
+#include "flownav/config/config.h"
 #include "flownav/pipeline/pipeline.h"
-#include "flownav/sensor/config.h"
 #include "rendered_scene.h"
 
 namespace flownav::fidelity {

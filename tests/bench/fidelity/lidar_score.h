@@ -4,9 +4,9 @@
 #include <map>
 #include <vector>
 
+#include "flownav/config/config.h"
 #include "flownav/flow/block_layout.h"
 #include "flownav/pipeline/step.h"
-#include "flownav/sensor/config.h"
 #include "kitti_lidar.h"
 #include "statistics.h"
 

@@ -3,7 +3,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "command_output.h"
+#include "flownav/cli/command_output.h"
 #include "flownav/testing/presets.h"
 #include "real_data.h"
 #include "row.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "flownav/replay/number_text.h"
+#include "flownav/cli/number_text.h"
 
 namespace flownav::fidelity {
 namespace {

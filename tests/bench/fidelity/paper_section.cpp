@@ -1,5 +1,5 @@
 #include "drive_pictures.h"
-#include "flownav/replay/number_text.h"
+#include "flownav/cli/number_text.h"
 #include "flownav/testing/write_scene.h"
 #include "markdown.h"
 #include "sections.h"

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-#include "flownav/replay/metrics.h"
+#include "flownav/evaluation/metrics.h"
 #include "lidar_score.h"
 
 namespace flownav::fidelity {

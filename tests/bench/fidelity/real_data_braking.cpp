@@ -1,7 +1,7 @@
 #include <fstream>
 
-#include "flownav/replay/kitti.h"
-#include "flownav/sensor/make_state.h"
+#include "flownav/config/make_state.h"
+#include "flownav/io/kitti.h"
 #include "lidar_pictures.h"
 #include "lidar_score.h"
 #include "markdown.h"

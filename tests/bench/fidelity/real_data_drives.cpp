@@ -1,10 +1,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "flownav/replay/image_folder.h"
-#include "flownav/replay/kitti.h"
-#include "flownav/replay/metrics.h"
-#include "flownav/sensor/make_state.h"
+#include "flownav/config/make_state.h"
+#include "flownav/evaluation/metrics.h"
+#include "flownav/io/image_folder.h"
+#include "flownav/io/kitti.h"
 #include "markdown.h"
 #include "real_data.h"
 #include "statistics.h"

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "flownav/replay/number_text.h"
+#include "flownav/cli/number_text.h"
 
 namespace flownav::fidelity {
 namespace {

@@ -1,4 +1,4 @@
-#include "flownav/replay/number_text.h"
+#include "flownav/cli/number_text.h"
 #include "flownav/testing/presets.h"
 #include "sections.h"
 #include "targets.h"

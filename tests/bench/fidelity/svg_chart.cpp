@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "flownav/replay/number_text.h"
+#include "flownav/cli/number_text.h"
 
 namespace flownav {
 

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <iostream>
 
+#include "flownav/cli/number_text.h"
 #include "flownav/core/version.h"
 #include "flownav/drive/simulated_drive.h"
-#include "flownav/replay/number_text.h"
-#include "flownav/replay/output_file.h"
+#include "flownav/io/output_file.h"
 #include "flownav/sim/sdf_world.h"
 #include "svg_chart.h"
 

@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "cases.h"
-#include "command_output.h"
+#include "flownav/cli/command_output.h"
 #include "markdown.h"
 #include "sensor_score.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "flownav/config/make_state.h"
 #include "flownav/pipeline/pipeline.h"
-#include "flownav/sensor/make_state.h"
 #include "post_view.h"
 
 namespace flownav::sensor_bench {

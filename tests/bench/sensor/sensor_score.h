@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "flownav/sensor/config.h"
+#include "flownav/config/config.h"
 #include "post_drive.h"
 
 namespace flownav::sensor_bench {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "flownav/replay/rawlog_reader.h"
+#include "flownav/io/rawlog_reader.h"
 
 namespace flownav::testing {
 

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "app_runs.h"
-#include "flownav/sensor/config.h"
+#include "flownav/config/config.h"
 #include "flownav/testing/write_scene.h"
 
 namespace flownav {

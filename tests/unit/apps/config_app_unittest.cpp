@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "app_runs.h"
+#include "flownav/config/config.h"
 #include "flownav/core/version.h"
 #include "flownav/flow/kernel.h"
-#include "flownav/sensor/config.h"
 
 namespace flownav {
 namespace {

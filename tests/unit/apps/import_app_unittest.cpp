@@ -13,7 +13,7 @@
 #include "app_runs.h"
 #include "flownav/core/version.h"
 #include "flownav/flow/kernel.h"
-#include "flownav/replay/field_source.h"
+#include "flownav/io/field_source.h"
 
 namespace flownav {
 namespace {

@@ -11,7 +11,7 @@
 #include "app_runs.h"
 #include "flownav/core/version.h"
 #include "flownav/flow/kernel.h"
-#include "flownav/replay/field_source.h"
+#include "flownav/io/field_source.h"
 #include "flownav/replay/replay.h"
 #include "flownav/sim/generate_world.h"
 #include "flownav/sim/sdf_world.h"

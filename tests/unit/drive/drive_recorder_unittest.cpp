@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "flownav/replay/field_source.h"
-#include "flownav/replay/output_file.h"
+#include "flownav/io/field_source.h"
+#include "flownav/io/output_file.h"
 #include "temporary_folder.h"
 
 namespace flownav {

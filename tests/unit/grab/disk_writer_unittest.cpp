@@ -5,7 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "flownav/replay/output_file.h"
+#include "flownav/io/output_file.h"
 #include "grab_samples.h"
 
 namespace flownav {

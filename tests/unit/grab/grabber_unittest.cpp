@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "flownav/replay/rawlog_reader.h"
+#include "flownav/io/rawlog_reader.h"
 #include "grab_samples.h"
 
 namespace flownav {

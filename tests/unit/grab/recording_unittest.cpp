@@ -6,7 +6,7 @@
 #include <csignal>
 #include <fstream>
 
-#include "flownav/replay/output_file.h"
+#include "flownav/io/output_file.h"
 #include "grab_samples.h"
 
 namespace flownav {

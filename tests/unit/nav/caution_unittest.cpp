@@ -1,4 +1,4 @@
-#include "caution.h"
+#include "reactive/caution.h"
 
 #include <gtest/gtest.h>
 

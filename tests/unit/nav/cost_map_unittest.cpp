@@ -1,4 +1,4 @@
-#include "cost_map.h"
+#include "planner/cost_map.h"
 
 #include <gtest/gtest.h>
 

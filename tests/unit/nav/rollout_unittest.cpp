@@ -1,4 +1,4 @@
-#include "rollout.h"
+#include "local/rollout.h"
 
 #include <gtest/gtest.h>
 

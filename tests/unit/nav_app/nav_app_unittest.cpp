@@ -11,7 +11,7 @@
 #include "app_runs.h"
 #include "drive_files.h"
 #include "flownav/drive/simulated_drive.h"
-#include "flownav/replay/drive_recording.h"
+#include "flownav/io/drive_recording.h"
 #include "flownav/replay/replay.h"
 #include "flownav/sim/generate_world.h"
 

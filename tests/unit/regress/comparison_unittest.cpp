@@ -1,10 +1,10 @@
-#include "comparison.h"
+#include "flownav/regress/comparison.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "comparison_text.h"
+#include "flownav/regress/comparison_text.h"
 
 namespace flownav::regress {
 namespace {

@@ -5,9 +5,9 @@
 #include <opencv2/core.hpp>
 
 #include "app_runs.h"
-#include "column_file.h"
-#include "paired_charts.h"
-#include "paired_maps.h"
+#include "flownav/regress/column_file.h"
+#include "flownav/regress/paired_charts.h"
+#include "flownav/regress/paired_maps.h"
 
 // MRPT forgets the parser of a text that is no YAML; for builds with the address sanitizer.
 extern "C" const char* __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier)

@@ -1,4 +1,4 @@
-#include "expectation.h"
+#include "flownav/regress/expectation.h"
 
 #include <gtest/gtest.h>
 #include <tinyxml2.h>
@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "app_runs.h"
-#include "junit.h"
-#include "usage_error.h"
+#include "flownav/regress/junit.h"
+#include "flownav/regress/usage_error.h"
 
 namespace flownav::regress {
 namespace {

@@ -1,4 +1,4 @@
-#include "manifest.h"
+#include "flownav/regress/manifest.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "app_runs.h"
-#include "sha256.h"
-#include "usage_error.h"
+#include "flownav/regress/sha256.h"
+#include "flownav/regress/usage_error.h"
 
 namespace flownav::regress {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app_runs.h"
+#include "flownav/regress/sha256.h"
 #include "regress_app.h"
-#include "sha256.h"
 
 namespace flownav::testing {
 

@@ -1,10 +1,10 @@
-#include "shard.h"
+#include "flownav/regress/shard.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "usage_error.h"
+#include "flownav/regress/usage_error.h"
 
 namespace flownav::regress {
 namespace {

@@ -1,12 +1,12 @@
-#include "store.h"
+#include "flownav/regress/store.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "app_runs.h"
-#include "flownav/replay/output_file.h"
-#include "result.h"
+#include "flownav/io/output_file.h"
+#include "flownav/regress/result.h"
 
 namespace flownav::regress {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <map>
 
-#include "flownav/replay/field_source.h"
+#include "flownav/io/field_source.h"
 #include "rawlog_files.h"
 #include "step_samples.h"
 

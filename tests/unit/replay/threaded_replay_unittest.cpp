@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "../support/temporary_folder.h"
-#include "decode_ahead.h"
+#include "flownav/io/decode_ahead.h"
 #include "flownav/replay/replay.h"
 
 namespace flownav {

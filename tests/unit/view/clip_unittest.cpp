@@ -4,7 +4,7 @@
 
 #include <opencv2/videoio.hpp>
 
-#include "flownav/replay/output_file.h"
+#include "flownav/io/output_file.h"
 #include "view_samples.h"
 #include "view_session.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "flownav/replay/rawlog_reader.h"
+#include "flownav/io/rawlog_reader.h"
 #include "view_samples.h"
 
 namespace flownav::view {

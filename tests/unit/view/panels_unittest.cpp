@@ -4,7 +4,7 @@
 
 #include "block_panel.h"
 #include "field_panel.h"
-#include "flownav/replay/fate_style.h"
+#include "flownav/report/fate_style.h"
 #include "map_panel.h"
 #include "strip_panel.h"
 #include "view_picture.h"

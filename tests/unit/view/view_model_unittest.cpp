@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "flownav/replay/number_text.h"
+#include "flownav/cli/number_text.h"
 #include "flownav/replay/replay.h"
 #include "view_samples.h"
 

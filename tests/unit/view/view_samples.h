@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "drives.h"
-#include "flownav/replay/field_source.h"
-#include "flownav/sensor/make_state.h"
+#include "flownav/config/make_state.h"
+#include "flownav/io/field_source.h"
 #include "rawlog_files.h"
 #include "view_model.h"
 

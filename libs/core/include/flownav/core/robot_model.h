@@ -1,6 +1,6 @@
 #pragma once
 
-#include "flownav/core/footprint.h"
+#include "flownav/math/footprint.h"
 
 namespace flownav {
 

@@ -8,7 +8,7 @@
 
 #include "flownav/drive/clock.h"
 #include "flownav/drive/sensor_feed.h"
-#include "flownav/producer/live_fields.h"
+#include "flownav/io/live_fields.h"
 
 namespace flownav {
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "flownav/config/config.h"
 #include "flownav/core/field.h"
 #include "flownav/drive/clock.h"
 #include "flownav/drive/sensor_feed.h"
 #include "flownav/nav/autopilot.h"
 #include "flownav/nav/robot_base.h"
-#include "flownav/sensor/config.h"
 
 namespace flownav {
 

@@ -2,7 +2,7 @@
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
 
-#include "flownav/core/grid2d.h"
+#include "flownav/math/grid2d.h"
 
 namespace flownav {
 

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "flownav/core/footprint.h"
 #include "flownav/core/pose2.h"
+#include "flownav/math/footprint.h"
 
 namespace flownav::nav {
 

@@ -5,9 +5,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "flownav/core/footprint.h"
-#include "flownav/core/grid2d.h"
 #include "flownav/core/pose2.h"
+#include "flownav/math/footprint.h"
+#include "flownav/math/grid2d.h"
 
 namespace flownav::nav {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "flownav/core/grid2d.h"
 #include "flownav/core/robot_model.h"
+#include "flownav/math/grid2d.h"
 #include "flownav/nav/footprint_field.h"
 
 namespace flownav::nav {

@@ -3,17 +3,17 @@
 #include <optional>
 #include <vector>
 
+#include "flownav/config/config.h"
 #include "flownav/core/field.h"
+#include "flownav/evaluation/csv_files.h"
+#include "flownav/evaluation/drive.h"
+#include "flownav/evaluation/trajectory_file.h"
+#include "flownav/io/flow_field_file.h"
 #include "flownav/mapping/fusion.h"
 #include "flownav/pipeline/step.h"
-#include "flownav/replay/csv_files.h"
-#include "flownav/replay/drive.h"
-#include "flownav/replay/filmstrip.h"
-#include "flownav/replay/drive_video.h"
-#include "flownav/replay/flow_field_file.h"
 #include "flownav/replay/result_rawlog.h"
-#include "flownav/replay/trajectory_file.h"
-#include "flownav/sensor/config.h"
+#include "flownav/report/drive_video.h"
+#include "flownav/report/filmstrip.h"
 
 namespace flownav {
 

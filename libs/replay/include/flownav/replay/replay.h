@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "flownav/cli/progress.h"
+#include "flownav/config/config.h"
 #include "flownav/replay/outputs.h"
-#include "flownav/replay/progress.h"
-#include "flownav/sensor/config.h"
 
 namespace flownav {
 

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "flownav/core/field.h"
+#include "flownav/io/field_source.h"
+#include "flownav/io/output_file.h"
 #include "flownav/pipeline/step.h"
-#include "flownav/replay/field_source.h"
-#include "flownav/replay/output_file.h"
 
 namespace flownav {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <variant>
 
-#include "flownav/core/footprint.h"
+#include "flownav/math/footprint.h"
 #include "flownav/sim/world.h"
 
 namespace flownav::sim {

@@ -1,0 +1,52 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "flownav/cli/progress.h"
+#include "flownav/config/config.h"
+#include "flownav/replay/replay.h"
+
+namespace flownav {
+
+struct CalibrationOptions {
+    std::filesystem::path input;    ///< a rawlog
+    std::filesystem::path output;   ///< an ini
+    std::filesystem::path picture;  ///< a PNG; empty: none
+    Config config;                  ///< where to start from
+    bool odometry = false;          ///< estimate the height from the recording's odometry
+    Progress::Style progress = Progress::Style::Silent;
+};
+
+/// One value of the camera's pose.
+struct CalibratedValue {
+    std::string key;  ///< of the ini, as pitch_deg
+    const char* unit;
+    double before;
+    double after;
+    double sigma;
+    bool determined;  ///< false: the drive does not tell, `before` stays
+};
+
+/// "pitch_deg = 24.9000 deg, uncertainty 0.0100, before 25.0000 deg"
+std::string describe(const CalibratedValue& value);
+
+enum class CalibrationStatus {
+    Fine = 0,
+    Usage = 1,          ///< bad usage or configuration; nothing was written
+    Input = 2,          ///< the input is damaged or ended early; what was readable was used
+    Output = 3,         ///< output could not be written
+    NotDetermined = 4,  ///< the drive does not determine the pitch; nothing was written
+};
+
+struct CalibrationResult {
+    CalibrationStatus status = CalibrationStatus::Fine;
+    std::string message;                  ///< what went wrong and what to do; empty when all is fine
+    std::vector<CalibratedValue> values;  ///< pitch, roll, yaw, height
+    std::vector<std::string> notes;       ///< lines for people: what was used, residuals, advice
+};
+
+/// Estimates the pose of the camera from a drive and writes it. Never throws on bad input or full disks.
+CalibrationResult calibrate(const CalibrationOptions& options);
+
+}  // namespace flownav

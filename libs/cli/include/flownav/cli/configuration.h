@@ -1,0 +1,37 @@
+#pragma once
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "flownav/config/config.h"
+#include "flownav/flow/kernel.h"
+
+namespace flownav {
+
+/// Sets what each --set section.key=value says. Throws ConfigError.
+inline void apply_settings(Config& config, const std::vector<std::string>& settings) {
+    for (const std::string& setting : settings) {
+        const auto equals = setting.find('=');
+        if (equals == std::string::npos) {
+            throw ConfigError("--set " + setting + ": needs the form section.key=value");
+        }
+        set_config_value(config, setting.substr(0, equals), setting.substr(equals + 1));
+    }
+}
+
+/// The values of `config`, then those of --config, where there is one, then those of each --set
+/// section.key=value. Throws ConfigError, for FLOWNAV_KERNEL too.
+inline Config configuration(const std::string& file, const std::vector<std::string>& settings,
+                            Config config = {}) {
+    if (!file.empty()) load_config_file(config, file);
+    apply_settings(config, settings);
+    check_map(config);
+    try {
+        default_kernel();
+    } catch (const std::runtime_error& error) {
+        throw ConfigError(error.what());
+    }
+    return config;
+}
+
+}  // namespace flownav

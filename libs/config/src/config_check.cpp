@@ -1,0 +1,35 @@
+#include <sstream>
+
+#include "flownav/config/config.h"
+#include "flownav/math/footprint.h"
+
+namespace flownav {
+namespace {
+
+constexpr double cells_max = 2000.0;    // across the local map
+constexpr double around_robot_m = 0.4;  // of the local map: what stands beside the robot is seen
+
+}  // namespace
+
+void check_map(const Config& config) {
+    const MapParams& map = config.map;
+    if (map.size_m <= cells_max * map.resolution_m) return;
+    std::ostringstream text;
+    text << "map.size_m = " << map.size_m << ": with map.resolution_m = " << map.resolution_m << " these are "
+         << map.size_m / map.resolution_m << " cells across; allowed: up to " << cells_max
+         << ", that is map.size_m <= " << cells_max * map.resolution_m;
+    throw ConfigError(text.str());
+}
+
+void check_navigation(const Config& config) {
+    const double radius_m = circumscribed_radius_m(config.navigation.robot.footprint_m);
+    const double least_m = 2.0 * (radius_m + around_robot_m);
+    if (config.map.size_m > least_m) return;
+    std::ostringstream text;
+    text << "map.size_m = " << config.map.size_m
+         << ": too small for navigation.footprint_m, whose corners are " << radius_m
+         << " m from the axis; allowed: more than " << least_m << " m";
+    throw ConfigError(text.str());
+}
+
+}  // namespace flownav

@@ -1,0 +1,15 @@
+#pragma once
+#include <nlohmann/json.hpp>
+
+#include "flownav/config/config.h"
+#include "flownav/evaluation/drive.h"
+
+namespace flownav {
+
+/// summary.json without its timing.
+nlohmann::ordered_json summary_facts(const Drive& drive, const Config& config);
+
+/// The object "timing" of summary.json.
+nlohmann::ordered_json timing_facts(const Timing& timing);
+
+}  // namespace flownav

@@ -1,0 +1,24 @@
+#pragma once
+#include <mrpt/math/TPose3D.h>
+
+#include <filesystem>
+
+#include "flownav/core/pose2.h"
+#include "flownav/io/output_file.h"
+
+namespace flownav {
+
+/// A trajectory in TUM format, one pose a line: timestamp x y z qx qy qz qw (seconds, metres).
+class TrajectoryFile {
+  public:
+    explicit TrajectoryFile(const std::filesystem::path& path) : file_(path) {}
+
+    void write(double timestamp_s, const mrpt::math::TPose3D& pose);
+    void write(double timestamp_s, const Pose2& pose);
+    void close() { file_.close(); }
+
+  private:
+    OutputFile file_;
+};
+
+}  // namespace flownav

@@ -1,0 +1,98 @@
+#include "flownav/evaluation/camera_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flownav/cli/number_text.h"
+
+namespace flownav {
+namespace {
+
+constexpr double deg = M_PI / 180;
+constexpr int pairs_min = 16;
+constexpr int settling_pairs = 4;
+constexpr double sigma_max_deg = 1.0;
+constexpr double agreeing_min = 0.65;  // of the near vectors; below, it is no plain floor
+constexpr double matching_sigma_deg = 0.1;
+constexpr double significant = 4.0;  // deviations
+constexpr double ratio_sigma_max = 0.1;
+constexpr double by_pitch_low = 0.4, by_pitch_high = 2.5;
+constexpr double pitch_at_max_rad = 15 * deg;
+constexpr double unit_tolerance = 0.25;  // a height in centimetres is wrong by a factor of 100, more or less
+
+constexpr const char* advice = "; flownav-calibrate estimates it from this drive";
+
+void check_angle(CameraCheck& check, int i, const char* key, double assumed_rad) {
+    const double error_deg = check.angles.correction_rad[i] / deg;
+    const double sigma_deg = check.angles.sigma_rad[i] / deg;
+    if (sigma_deg > sigma_max_deg || std::abs(error_deg) < CameraCheck::angle_limit_deg ||
+        std::abs(error_deg) < significant * sigma_deg)
+        return;
+    check.verdict = "pose_contradicts_flow";
+    check.warnings.push_back("camera." + std::string(key) + " = " + fixed_text(assumed_rad / deg, 2) +
+                             " contradicts the flow of the floor, which looks like " +
+                             fixed_text(assumed_rad / deg + error_deg, 1) + " (uncertainty " +
+                             fixed_text(std::max(sigma_deg, matching_sigma_deg), 1) + ")" + advice);
+}
+
+void check_height(CameraCheck& check) {
+    const double ratio = check.scale->ratio;
+    if (check.scale->sigma > ratio_sigma_max * ratio ||
+        (ratio > CameraCheck::ratio_low && ratio < CameraCheck::ratio_high))
+        return;
+    // A wrong pitch changes distances too.
+    if (!check.warnings.empty() && ratio > by_pitch_low && ratio < by_pitch_high) return;
+    if (check.warnings.empty()) check.verdict = "height_contradicts_odometry";
+    const bool centimetres = std::abs(std::log(ratio * 100)) < unit_tolerance;
+    check.warnings.push_back(
+        "camera.height_m = " + fixed_text(check.height_m, 3) +
+        " contradicts the odometry: its distances are " + fixed_text(ratio, ratio < 0.1 ? 4 : 2) +
+        " times those of the flow, so the height looks like " + fixed_text(check.height_m * ratio, 3) + " m" +
+        (centimetres ? "; was it given in centimetres?" : "") +
+        " (flownav-calibrate --odometry estimates it)");
+}
+
+}  // namespace
+
+void CameraChecker::take(const Field& field, const pipeline::Step& step) {
+    if (step.end_of_cycle && step.status == FieldStatus::Ok) {
+        mount_ = field.camera.mount;
+        rays_.clear();
+        for (const pipeline::BlockRecord& block : step.blocks)
+            if (block.fresh) rays_.push_back(block.ray);
+        CameraModel camera = field.camera;
+        camera.mount.pitch_rad += pitch_at_rad_;
+        const PairFit fit = fit_pair(rays_, camera, step.motion, geometry_, {}, scratch_);
+        sum_.add(fit.equations, {pitch_at_rad_, 0.0, 0.0});
+        near_vectors_ += fit.near_vectors;
+        close_vectors_ += fit.close_vectors;
+        if (sum_.pairs() >= settling_pairs) {
+            const double found_rad = solve(sum_.total()).correction_rad[0];
+            pitch_at_rad_ = std::clamp(found_rad, -pitch_at_max_rad, pitch_at_max_rad);
+        }
+        if (step.motion.forward_measured)
+            pieces_.push_back({reference_s_, step.timestamp_s, step.motion.forward_m});
+    }
+    if (step.end_of_cycle || step.image_of_cycle == 0) reference_s_ = step.timestamp_s;
+}
+
+CameraCheck CameraChecker::result(const PoseTrack& odometry) const {
+    CameraCheck check;
+    check.pairs = sum_.pairs();
+    check.height_m = mount_.height_m;
+    check.angles = sum_.solution();
+    check.agreeing = near_vectors_ > 0 ? close_vectors_ / near_vectors_ : 0.0;
+    check.angles_known = check.pairs >= pairs_min && check.agreeing >= agreeing_min &&
+                         check.angles.sigma_rad[0] < sigma_max_deg * deg;
+    if (check.angles_known) {
+        check.verdict = "consistent";
+        check_angle(check, 0, "pitch_deg", mount_.pitch_rad);
+        check_angle(check, 1, "roll_deg", mount_.roll_rad);
+        check_angle(check, 2, "yaw_deg", mount_.yaw_rad);
+    }
+    check.scale = fit_scale(pieces_, odometry);
+    if (check.scale) check_height(check);
+    return check;
+}
+
+}  // namespace flownav

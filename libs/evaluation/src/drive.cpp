@@ -1,0 +1,98 @@
+#include "flownav/evaluation/drive.h"
+
+#include <algorithm>
+
+#include "flownav/cli/number_text.h"
+
+namespace flownav {
+
+const char* end_word(const Drive& drive) {
+    if (!drive.stop_reason.empty()) return "unusable_image";
+    switch (drive.end.kind) {
+        case ReadEnd::Kind::NotYet:
+            return "not_at_end";
+        case ReadEnd::Kind::Clean:
+            return "clean";
+        case ReadEnd::Kind::Truncated:
+            return "truncated";
+        case ReadEnd::Kind::Corrupt:
+            return "corrupt";
+        case ReadEnd::Kind::UnknownClass:
+            return "unknown_class";
+    }
+    return "unknown";
+}
+
+std::string end_sentence(const Drive& drive) {
+    const bool stopped = !drive.stop_reason.empty();
+    const std::string objects = std::to_string(drive.end.objects_read) + " objects";
+    if (drive.end.kind == ReadEnd::Kind::Clean && !stopped) {
+        return "The input was read to its clean end (" + objects + ").";
+    }
+    const std::string problem = "The input could not be read to its end: ";
+    if (!stopped) return problem + drive.end.message;
+    return problem + drive.stop_reason + ". What came before was used.";
+}
+
+std::vector<std::uint64_t> status_counts(const std::vector<FieldRow>& rows) {
+    std::vector<std::uint64_t> counts;
+    for (const FieldStatus status : all_field_statuses) {
+        const auto same = [status](const FieldRow& row) { return row.status == status; };
+        counts.push_back(static_cast<std::uint64_t>(std::count_if(rows.begin(), rows.end(), same)));
+    }
+    return counts;
+}
+
+CarriedTime carried_time(const std::vector<FieldRow>& rows) {
+    CarriedTime carried;
+    if (rows.empty()) return carried;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const double before_s = rows[i - 1].carried.since_s;
+        carried.total_s += std::max(0.0, rows[i].carried.since_s - before_s);
+        carried.longest_s = std::max(carried.longest_s, rows[i].carried.since_s);
+    }
+    carried.duration_s = rows.back().timestamp_s - rows.front().timestamp_s;
+    carried.sigma_m = rows.back().carried.sigma_m;
+    return carried;
+}
+
+std::string carried_warning(const CarriedTime& carried, double carry_max_s) {
+    constexpr double share_max = 0.02;
+    constexpr double worth_a_word_s = 0.5;
+    const double usual_s = std::max(worth_a_word_s, share_max * carried.duration_s);
+    if (carried.total_s <= usual_s && carried.longest_s <= carry_max_s) return "";
+    return "the motion could not be measured during " + fixed_text(carried.total_s, 1) + " s of " +
+           fixed_text(carried.duration_s, 1) + " s, for " + fixed_text(carried.longest_s, 1) +
+           " s at a stretch: the pose was carried over for up to " + fixed_text(carry_max_s, 1) +
+           " s (motion.carry_max_s), its end may be off by " + fixed_text(carried.sigma_m, 2) +
+           " m; see carried_s in egomotion.csv";
+}
+
+std::string map_warning(int sets, int sets_outside, double half_m) {
+    if (sets_outside == 0) return "";
+    return "the map lacks " + std::to_string(sets_outside) + " of " + std::to_string(sets) +
+           " cycles, which were seen more than " + fixed_text(half_m, 0) +
+           " m from the start: a larger map.resolution_m reaches farther, at most 1000 m";
+}
+
+const char* explain(FieldStatus status) {
+    switch (status) {
+        case FieldStatus::Ok:
+            return "The turn rate was measured with this field.";
+        case FieldStatus::Waiting:
+            return "The first field, or the first after a gap: there is nothing to compare it with yet.";
+        case FieldStatus::Lost:
+            return "There were vectors, but no common motion explains them: very fast turns, a mover that "
+                   "fills "
+                   "the view, or a wrong camera pose.";
+        case FieldStatus::NoTexture:
+            return "Too few unambiguous vectors: a smooth floor, darkness or motion blur.";
+        case FieldStatus::BadField:
+            return "It cannot be used: no picture (black, saturated or constant), an image that is not as "
+                   "large "
+                   "as its camera says, or a time stamp that does not rise.";
+    }
+    return "";
+}
+
+}  // namespace flownav

@@ -1,0 +1,152 @@
+#include "flownav/evaluation/pose_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flownav/motion/ray_flow.h"
+#include "flownav/motion/robust.h"
+
+namespace flownav {
+namespace {
+
+constexpr double deg = M_PI / 180;
+constexpr int rounds_max = 25;
+constexpr double settled_rad = 1e-5;
+constexpr double step_max_rad = 4 * deg;  // the equations are linear only so far
+constexpr double steadiness_min_rad = 0.002 * deg;
+constexpr int groups_wanted = 20;
+constexpr int scale_pairs_min = 8;
+constexpr double travel_min_m = 0.01;
+
+}  // namespace
+
+void PoseSum::add(PoseEquations pair, const MountAngles& at_rad) {
+    if (pair.pairs == 0) return;
+    pair.gradient += pair.information * at_rad;
+    if (pairs_++ % pairs_per_group_ == 0) groups_.emplace_back();
+    groups_.back() += pair;
+    total_ += pair;
+}
+
+PoseCorrection PoseSum::solution(const AngleMask& unknown) const {
+    PoseEquations all = only(total_, unknown);
+    const MountAngles correction = solve(all).correction_rad;
+    all.scatter.setZero();
+    all.gradient.setZero();
+    for (const PoseEquations& group : groups_) {
+        const PoseEquations part = only(group, unknown);
+        const MountAngles rest = part.gradient - part.information * correction;
+        all.scatter += rest * rest.transpose();
+    }
+    return {correction, solve(all).sigma_rad};
+}
+
+SeenPair seen(const CalibrationPair& pair, const MountAngles& correction_rad) {
+    CameraModel reference = pair.reference;
+    CameraModel newer = pair.newer;
+    reference.mount = corrected(reference.mount, correction_rad);
+    newer.mount = corrected(newer.mount, correction_rad);
+    SeenPair s{reference, RayMapper(reference), RayMapper(newer), {}};
+    s.rays.reserve(pair.vectors.size());
+    for (const FlowVector& v : pair.vectors)
+        s.rays.push_back(ray_flow(v, s.reference, s.newer, Geometry::MidPoint));
+    return s;
+}
+
+namespace {
+
+/// Deviation about the middle: a camera that is wrong makes a constant pitch of constant travel.
+double steadiness_of(std::vector<double>& turns_rad) {
+    const double centre = shorth(turns_rad);
+    for (double& t : turns_rad) t -= centre;
+    return std::max(robust_deviation(turns_rad), steadiness_min_rad);
+}
+
+/// One Gauss-Newton step. `pitches` and `rolls` become those of the pairs.
+double improve(const std::vector<CalibrationPair>& pairs, const AngleMask& unknown, AnglesFit& fit,
+               std::vector<double>& pitches, std::vector<double>& rolls) {
+    PoseScratch scratch;
+    PoseSum sum(std::max(1, static_cast<int>(pairs.size()) / groups_wanted));
+    double near = 0, close = 0;
+    pitches.clear();
+    rolls.clear();
+    for (const CalibrationPair& pair : pairs) {
+        const SeenPair s = seen(pair, fit.correction_rad);
+        const PairFit one =
+            fit_pair(s.rays, s.camera, pair.motion, Geometry::MidPoint, fit.steadiness, scratch);
+        sum.add(one.equations);
+        near += one.near_vectors;
+        close += one.close_vectors;
+        if (one.equations.pairs == 0) continue;
+        pitches.push_back(one.pitch_rad);
+        rolls.push_back(one.roll_rad);
+    }
+    const PoseCorrection step = sum.solution(unknown);
+    const MountAngles systematic = systematic_sigma_rad(only(sum.total(), unknown));
+    const double length = step.correction_rad.norm();
+    fit.correction_rad += step.correction_rad * std::min(1.0, step_max_rad / std::max(length, 1e-12));
+    fit.sigma_rad = (step.sigma_rad.array().square() + systematic.array().square()).sqrt();
+    fit.pairs = sum.pairs();
+    fit.agreeing_vectors = close;
+    fit.agreeing = near > 0 ? close / near : 0.0;
+    return length;
+}
+
+}  // namespace
+
+AnglesFit fit_angles(const std::vector<CalibrationPair>& pairs, const MountAngles& start_rad,
+                     const AngleMask& unknown) {
+    AnglesFit fit;
+    fit.correction_rad = start_rad;
+    std::vector<double> pitches, rolls;
+    for (const bool last : {false, true}) {
+        fit.settled = false;
+        for (int round = 0; round < rounds_max && !fit.settled; ++round)
+            fit.settled = improve(pairs, unknown, fit, pitches, rolls) < settled_rad;
+        if (!last) fit.steadiness = {steadiness_of(pitches), steadiness_of(rolls)};
+    }
+    return fit;
+}
+
+std::optional<ScaleFit> fit_scale(const std::vector<TravelPiece>& flow, const PoseTrack& odometry) {
+    struct Piece {
+        double flow_m, odometry_m;
+    };
+    std::vector<Piece> pieces;
+    std::vector<double> ratios;
+    for (const TravelPiece& piece : flow) {
+        const auto begin = odometry.ground_at(piece.begin_s);
+        const auto end = odometry.ground_at(piece.end_s);
+        if (!begin || !end) continue;
+        const Pose2 way = compose(inverse(*begin), *end);
+        const double heading = way.yaw_rad / 2;
+        const double forward_m = std::cos(heading) * way.x_m + std::sin(heading) * way.y_m;
+        if (std::abs(forward_m) < travel_min_m || piece.forward_m * forward_m <= 0.0) continue;
+        pieces.push_back({std::abs(piece.forward_m), std::abs(forward_m)});
+        ratios.push_back(forward_m / piece.forward_m);
+    }
+    if (static_cast<int>(pieces.size()) < scale_pairs_min) return std::nullopt;
+    ScaleFit fit;
+    fit.ratio = shorth(ratios);
+    for (int step = 0; step < 8; ++step) {
+        std::vector<double> residuals;
+        residuals.reserve(pieces.size());
+        for (const Piece& p : pieces) residuals.push_back(p.odometry_m - fit.ratio * p.flow_m);
+        std::vector<double> work = residuals;
+        const double deviation_m = std::max(robust_deviation(work), 1e-9);
+        double flow_m = 0, odometry_m = 0;
+        fit.pairs = 0;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            const double weight = biweight(residuals[i] / deviation_m);
+            flow_m += weight * pieces[i].flow_m;
+            odometry_m += weight * pieces[i].odometry_m;
+            fit.pairs += weight > 0.0;
+        }
+        if (fit.pairs < scale_pairs_min) return std::nullopt;
+        fit.ratio = odometry_m / flow_m;
+        fit.sigma = deviation_m * std::sqrt(fit.pairs) / flow_m;
+    }
+    return fit;
+}
+
+}  // namespace flownav

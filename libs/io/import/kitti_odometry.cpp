@@ -1,0 +1,58 @@
+#include <mrpt/math/CMatrixFixed.h>
+
+#include "flownav/io/camera_conversion.h"
+#include "flownav/io/kitti.h"
+#include "flownav/io/rawlog_reader.h"
+#include "import_files.h"
+
+namespace flownav {
+namespace {
+
+namespace fs = std::filesystem;
+using mrpt::poses::CPose3D;
+
+CPose3D pose_of(const std::vector<double>& m, const std::string& place) {
+    if (m.size() != 12) throw InputError(place + ": is no pose (12 numbers)");
+    mrpt::math::CMatrixDouble44 T = mrpt::math::CMatrixDouble44::Identity();
+    for (int i = 0; i < 12; ++i) T(i / 4, i % 4) = m[static_cast<std::size_t>(i)];
+    return CPose3D(T);
+}
+
+/// Poses of the camera in the frame of its first image -> poses of the axis, on the ground.
+std::vector<Pose2> axis_poses(const fs::path& file, const CameraMount& mount) {
+    const CPose3D T_axis_camera = camera_pose(mount);
+    const CPose3D T_camera_axis = -T_axis_camera;
+    std::vector<Pose2> poses;
+    for (const std::string& line : read_lines(file)) {
+        const std::string place = file.string() + ", line " + std::to_string(poses.size() + 1);
+        const CPose3D T_first_axis = T_axis_camera + pose_of(numbers_of(line), place) + T_camera_axis;
+        poses.push_back({T_first_axis.x(), T_first_axis.y(), T_first_axis.yaw()});
+    }
+    return poses;
+}
+
+std::vector<double> times_of(const fs::path& file) {
+    std::vector<double> times_s;
+    for (const std::string& line : read_lines(file)) {
+        const auto numbers = numbers_of(line);
+        if (numbers.size() != 1) throw InputError(file.string() + ": '" + line + "' is no time");
+        times_s.push_back(numbers[0]);
+    }
+    return times_s;
+}
+
+}  // namespace
+
+KittiOdometry::KittiOdometry(const fs::path& directory, const std::string& sequence,
+                             const CameraMount& mount) {
+    require_directory(directory);
+    const fs::path folder = directory / "sequences" / sequence;
+    images_ = list_images(folder / "image_0");
+    times_s_ = times_of(folder / "times.txt");
+    const fs::path calibration = folder / "calib.txt";
+    camera_ = kitti_camera(read_kitti_calibration(calibration), "P0", calibration, mount);
+    const fs::path poses = directory / "poses" / (sequence + ".txt");
+    if (fs::exists(poses)) T_start_robot_ = axis_poses(poses, mount);
+}
+
+}  // namespace flownav

@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "flownav/config/config.h"
+#include "flownav/io/image_sequence.h"
+
+namespace flownav {
+
+struct RecordingOptions {
+    std::filesystem::path output;
+    std::string camera_label = "CAMERA1";
+    Interlaced interlaced = Interlaced::None;  ///< split woven frames into fields
+    std::function<void(double share, std::uint64_t fields)> progress;
+};
+
+struct RecordingCounts {
+    std::uint64_t frames = 0;
+    std::uint64_t fields = 0;
+    std::uint64_t poses = 0;
+};
+
+/// Writes a sequence as a gz rawlog of standard observations: every image with its calibration and camera
+/// pose, GROUND_TRUTH where there are poses. The file appears under its name only when it is complete. Throws
+/// OutputError, and leaves nothing behind then.
+RecordingCounts write_recording(ImageSequence& sequence, const RecordingOptions& options);
+
+}  // namespace flownav

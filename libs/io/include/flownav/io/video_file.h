@@ -1,0 +1,29 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+
+#include "flownav/config/config.h"
+#include "flownav/io/image_sequence.h"
+
+namespace flownav {
+
+/// The images of a video, made grey. Image i was taken at i / rate_hz; without a rate the video's own counts.
+class VideoFile : public ImageSequence {
+  public:
+    VideoFile(const std::filesystem::path& file, CameraConfig camera, std::optional<double> rate_hz);
+    ~VideoFile() override;
+
+    std::optional<SequenceFrame> next() override;
+    std::size_t size() const override;
+
+    double rate_hz() const { return rate_hz_; }
+
+  private:
+    struct Capture;
+    std::unique_ptr<Capture> capture_;
+    CameraConfig camera_;
+    double rate_hz_ = 0.0;
+    std::size_t at_ = 0;
+};
+
+}  // namespace flownav

@@ -1,0 +1,89 @@
+#include "flownav/io/live_fields.h"
+
+#include "field_feed.h"
+
+namespace flownav {
+namespace {
+
+constexpr std::uint64_t patience_images = 100;  ///< of a camera whose images are all rejected
+
+}  // namespace
+
+struct LiveFields::Impl {
+    explicit Impl(const ProducerSettings& of)
+        : settings(of),
+          maker(of.config.camera),
+          feed(of.grabber_type == "rawlog" ? producer::open_rawlog(of) : producer::open_camera(of)) {}
+
+    /// Takes in one more observation, or the end.
+    void advance() {
+        const auto observation = feed->next();
+        maker.count_objects(feed->objects());
+        if (observation) {
+            maker.consume(observation, feed->images_directory());
+            give_up_on_hopeless_camera();
+        } else {
+            maker.finish();
+            end(feed->error());
+        }
+    }
+
+    void give_up_on_hopeless_camera() {
+        const InputCounts& counts = maker.counts();
+        const std::uint64_t rejected = counts.images - counts.fields;
+        if (settings.grabber_type != "rawlog" && counts.fields == 0 && rejected > patience_images) end("");
+    }
+
+    void end(const std::string& why) {
+        ended = true;
+        error = why;
+    }
+
+    ProducerSettings settings;
+    EventMaker maker;
+    std::unique_ptr<producer::FieldFeed> feed;
+    bool ended = false;  ///< nothing more comes from the feed
+    bool told = false;   ///< and nothing more waits in the maker
+    std::string error;
+};
+
+LiveFields::LiveFields(const ProducerSettings& settings) : impl_(std::make_unique<Impl>(settings)) {}
+LiveFields::~LiveFields() = default;
+LiveFields::LiveFields(LiveFields&&) noexcept = default;
+LiveFields& LiveFields::operator=(LiveFields&&) noexcept = default;
+
+std::optional<SensorEvent> LiveFields::next() {
+    auto event = impl_->maker.next();
+    while (!event && !impl_->ended) {
+        try {
+            impl_->advance();
+        } catch (const ConfigError& error) {
+            impl_->end(std::string(error.what()) +
+                       " (in the section of the sensor: camera.KEY = VALUE, or flownav_config = FILE)");
+        }
+        event = impl_->maker.next();
+    }
+    impl_->told = !event;
+    const bool nothing = impl_->told && impl_->error.empty() && counts().fields == 0;
+    if (nothing)
+        impl_->error = why_no_field(counts(), settings().source, settings().config.camera.camera_label);
+    return event;
+}
+
+bool LiveFields::ended() const {
+    return impl_->told;
+}
+
+const std::string& LiveFields::error() const {
+    return impl_->error;
+}
+
+const ProducerSettings& LiveFields::settings() const {
+    return impl_->settings;
+}
+
+const InputCounts& LiveFields::counts() const {
+    return impl_->maker.counts();
+}
+
+}  // namespace flownav

@@ -1,0 +1,160 @@
+#include "flownav/io/event_maker.h"
+
+#include <mrpt/core/Clock.h>
+#include <mrpt/math/TPose2D.h>
+#include <mrpt/obs/CObservationOdometry.h>
+#include <mrpt/obs/CObservationRobotPose.h>
+#include <mrpt/system/datetime.h>
+
+#include <cmath>
+
+#include "camera_image.h"
+#include "flownav/io/camera_conversion.h"
+#include "grey_image.h"
+
+namespace flownav {
+namespace {
+
+using mrpt::obs::CObservation;
+using mrpt::obs::CObservationImage;
+using mrpt::obs::CObservationOdometry;
+using mrpt::obs::CObservationRobotPose;
+
+double seconds(const CObservation& observation) {
+    const bool valid = observation.timestamp != INVALID_TIMESTAMP;
+    return valid ? mrpt::Clock::toDouble(observation.timestamp) : std::nan("");
+}
+
+bool finite(const mrpt::math::TPose3D& p) {
+    return std::isfinite(p.x + p.y + p.z + p.yaw + p.pitch + p.roll);
+}
+
+PoseSample sample_of(const CObservationOdometry& odometry) {
+    return {PoseSample::Source::Odometry, seconds(odometry),
+            mrpt::math::TPose3D(odometry.odometry.asTPose())};
+}
+
+PoseSample sample_of(const CObservationRobotPose& truth) {
+    const auto pose_map_robot = truth.pose.mean + (-truth.sensorPose);
+    return {PoseSample::Source::GroundTruth, seconds(truth), pose_map_robot.asTPose()};
+}
+
+/// "a (3), b (1)"
+std::string listed(const std::map<std::string, std::uint64_t>& counts) {
+    std::string text;
+    for (const auto& [name, count] : counts) {
+        text += (text.empty() ? "" : ", ") + name + " (" + std::to_string(count) + ')';
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string why_no_field(const InputCounts& counts, const std::string& source,
+                         const std::string& camera_label) {
+    const std::string message = "no field could be used in " + source + ": ";
+    if (counts.images > 0) return message + "all images were rejected: " + listed(counts.rejected);
+    if (counts.observations.empty()) return message + "it holds no observation";
+    return message + "it has no image labelled " + camera_label + " but " + listed(counts.observations) +
+           "; set camera.camera_label";
+}
+
+std::optional<SensorEvent> EventMaker::next() {
+    if (waiting_.empty()) return std::nullopt;
+    const SensorEvent event = waiting_.front();
+    waiting_.pop_front();
+    if (std::holds_alternative<Field>(event)) ++counts_.fields;
+    return event;
+}
+
+void EventMaker::consume(const CObservation::Ptr& observation,
+                         const std::filesystem::path& images_directory) {
+    const std::string& label = observation->sensorLabel;
+    const std::string class_name = observation->GetRuntimeClass()->className;
+    ++counts_.observations[class_name.substr(class_name.rfind(':') + 1) + " " + label];
+    const auto image = label == camera_.camera_label ? camera_image(observation) : nullptr;
+    const auto odometry = std::dynamic_pointer_cast<CObservationOdometry>(observation);
+    const auto truth = std::dynamic_pointer_cast<CObservationRobotPose>(observation);
+    if (image) {
+        consume_image(image, images_directory);
+    } else if (odometry && label == "ODOMETRY") {
+        consume_pose(sample_of(*odometry), "odometry_");
+    } else if (truth && label == "GROUND_TRUTH") {
+        consume_pose(sample_of(*truth), "ground_truth_");
+    } else {
+        ++counts_.ignored;
+    }
+}
+
+bool EventMaker::accept_time(const std::string& kind, double timestamp_s) {
+    const auto last = last_time_s_.find(kind);
+    const bool first = last == last_time_s_.end();
+    std::string reason;
+    if (std::isnan(timestamp_s)) {
+        reason = "time_invalid";
+    } else if (!first && timestamp_s == last->second) {
+        reason = "time_repeated";
+    } else if (!first && timestamp_s < last->second) {
+        reason = "time_backwards";
+    }
+    if (reason.empty()) {
+        last_time_s_[kind] = timestamp_s;
+    } else {
+        ++counts_.rejected[kind + reason];
+    }
+    return reason.empty();
+}
+
+void EventMaker::consume_pose(const PoseSample& sample, const std::string& kind) {
+    if (!finite(sample.pose)) {
+        ++counts_.rejected[kind + "not_finite"];
+        return;
+    }
+    if (!accept_time(kind, sample.timestamp_s)) return;
+    ++(sample.source == PoseSample::Source::Odometry ? counts_.odometry : counts_.ground_truth);
+    waiting_.emplace_back(sample);
+}
+
+void EventMaker::consume_image(const CObservationImage::Ptr& image,
+                               const std::filesystem::path& images_directory) {
+    ++counts_.images;
+    const GreyImage grey = grey_image(image, images_directory);
+    const bool woven = camera_.interlaced != Interlaced::None;
+    std::string reason = grey.rejected;
+    if (reason.empty() && woven && grey.view.height_px < 2) reason = "image_empty";
+    if (!reason.empty()) {
+        ++counts_.rejected[reason];
+        return;
+    }
+    Field frame;
+    frame.timestamp_s = seconds(*image);
+    frame.camera = camera_model(*image, camera_, grey.view.width_px, grey.view.height_px);
+    if (!accept_time("", frame.timestamp_s)) return;
+    frame.image = grey.view;
+    frame.owner = grey.owner;
+    note_changes(frame, *image);
+    hand_out(splitter_.push(frame));
+}
+
+void EventMaker::hand_out(const std::vector<Field>& fields) {
+    waiting_.insert(waiting_.end(), fields.begin(), fields.end());
+}
+
+void EventMaker::note_changes(const Field& frame, const CObservationImage& image) {
+    const CameraModel& now = frame.camera;
+    const auto ncols = static_cast<int>(image.cameraParams.ncols);
+    const auto nrows = static_cast<int>(image.cameraParams.nrows);
+    const bool recorded_used = !camera_.fx_px || !camera_.fy_px;
+    if (recorded_used && (ncols != now.width_px || nrows != now.height_px)) {
+        ++counts_.warnings["calibration_of_another_size"];
+    }
+    if (last_camera_ &&
+        (last_camera_->width_px != now.width_px || last_camera_->height_px != now.height_px)) {
+        ++counts_.warnings["image_size_changed"];
+    } else if (last_camera_ && !same_geometry(*last_camera_, now)) {
+        ++counts_.warnings["calibration_changed"];
+    }
+    last_camera_ = now;
+}
+
+}  // namespace flownav

@@ -1,0 +1,92 @@
+#include "flownav/io/drive_recording.h"
+
+#include <mrpt/core/Clock.h>
+#include <mrpt/obs/CObservationImage.h>
+#include <mrpt/obs/CObservationOdometry.h>
+#include <mrpt/obs/CObservationRobotPose.h>
+
+#include <system_error>
+
+#include "flownav/io/observations.h"
+#include "flownav/io/output_file.h"
+
+namespace flownav {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file that gets its name when it is complete, and is removed otherwise. Anything but a regular file, such
+/// as a device, is written in place.
+class PendingFile {
+  public:
+    explicit PendingFile(const fs::path& target) : target_(target), path_(target) {
+        std::error_code error;
+        const auto status = fs::status(target, error);
+        if (fs::is_directory(status)) throw OutputError("cannot write " + target.string() + ": is a folder");
+        if (!fs::exists(status) || fs::is_regular_file(status)) path_ += ".part";
+    }
+    ~PendingFile() {
+        std::error_code error;
+        if (!done_ && path_ != target_) fs::remove(path_, error);
+    }
+    PendingFile(const PendingFile&) = delete;
+    PendingFile& operator=(const PendingFile&) = delete;
+
+    const fs::path& path() const { return path_; }
+
+    void complete() {
+        std::error_code error;
+        if (path_ != target_) fs::rename(path_, target_, error);
+        if (error) throw OutputError("cannot write " + target_.string() + ": " + error.message());
+        done_ = true;
+    }
+
+  private:
+    fs::path target_;
+    fs::path path_;
+    bool done_ = false;
+};
+
+}  // namespace
+
+struct DriveRecording::Parts {
+    Parts(const fs::path& target, std::string camera_label)
+        : pending(target), file(pending.path()), label(std::move(camera_label)) {}
+
+    PendingFile pending;
+    GzOutputFile file;
+    std::string label;
+};
+
+DriveRecording::DriveRecording(const fs::path& target, std::string camera_label)
+    : parts_(std::make_unique<Parts>(target, std::move(camera_label))) {}
+
+DriveRecording::~DriveRecording() = default;
+
+void DriveRecording::write(const Field& field) {
+    write_object(parts_->file, *image_observation(field, parts_->label));
+}
+
+void DriveRecording::write_odometry(double timestamp_s, const Pose2& T_odom_robot) {
+    mrpt::obs::CObservationOdometry odometry;
+    odometry.timestamp = mrpt::Clock::fromDouble(timestamp_s);
+    odometry.sensorLabel = "ODOMETRY";
+    odometry.odometry = mrpt::poses::CPose2D(T_odom_robot.x_m, T_odom_robot.y_m, T_odom_robot.yaw_rad);
+    write_object(parts_->file, odometry);
+}
+
+void DriveRecording::write_truth(double timestamp_s, const Pose2& T_world_robot) {
+    mrpt::obs::CObservationRobotPose truth;
+    truth.timestamp = mrpt::Clock::fromDouble(timestamp_s);
+    truth.sensorLabel = "GROUND_TRUTH";
+    truth.pose.mean =
+        mrpt::poses::CPose3D(T_world_robot.x_m, T_world_robot.y_m, 0, T_world_robot.yaw_rad, 0, 0);
+    write_object(parts_->file, truth);
+}
+
+void DriveRecording::complete() {
+    parts_->file.close();
+    parts_->pending.complete();
+}
+
+}  // namespace flownav

@@ -1,0 +1,59 @@
+#pragma once
+#include <mrpt/serialization/CSerializable.h>
+
+#include <exception>
+#include <filesystem>
+#include <string>
+
+#include "flownav/io/rawlog_reader.h"
+#include "input_bytes.h"
+#include "object_stream.h"
+
+namespace flownav {
+
+/// Reads the top-level objects of a rawlog one by one and says how and where that ended.
+class ObjectReader {
+  public:
+    /// A place between two objects to come back to.
+    struct Mark {
+        ObjectStream::Mark stream;
+        std::uint64_t objects_read = 0;
+    };
+
+    /// Throws InputError: cannot be opened, or does not begin with an object of a rawlog.
+    explicit ObjectReader(const std::filesystem::path& file);
+
+    /// The next object, or null at the end; then end() tells why.
+    mrpt::serialization::CSerializable::Ptr next();
+
+    /// Where the next object begins; at the end, where the one that could not be read begins.
+    Mark mark() const;
+    void go_to(const Mark& mark);
+
+    const ReadEnd& end() const { return end_; }
+    double progress() const { return bytes_.progress(); }
+
+  private:
+    struct Attempt {
+        mrpt::serialization::CSerializable::Ptr object;
+        std::exception_ptr failure;
+    };
+
+    void require_rawlog();
+    mrpt::serialization::CSerializable::Ptr read_object();
+    bool begin_object();
+    mrpt::serialization::CSerializable::Ptr deserialize();
+    Attempt try_to_deserialize();
+    void finish(ReadEnd::Kind kind, const std::string& problem, const std::string& advice);
+    void finish_for_lack_of_bytes();
+    void finish_after(const std::string& reason);
+    void finish_unknown(const std::string& class_name);
+
+    std::filesystem::path file_;
+    InputBytes bytes_;
+    ObjectStream stream_;
+    ReadEnd end_;
+    std::string class_name_;  ///< of the object being read
+};
+
+}  // namespace flownav

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "flownav/regress/column_file.h"
+#include "flownav/report/chart.h"
+
+namespace flownav::regress {
+
+/// Two egomotion.csv over the same times: turn rate, speed, obstacle points and counts, each with the series
+/// A, B and their difference.
+std::vector<ReportChart> paired_charts(const Columns& before, const Columns& after);
+
+}  // namespace flownav::regress

@@ -1,0 +1,18 @@
+# Makes pages.cpp in the build folder: the scripts and style sheets that compare.html and sweep.html carry.
+# A script may have parts; they become one, in this order.
+set(compare_script compare_base compare_glance compare_plan compare_drive compare)
+set(sweep_script sweep)
+foreach(page compare sweep)
+    string(TOUPPER ${page} PAGE)
+    set(${PAGE}_JS "")
+    foreach(part ${${page}_script})
+        set(file ${CMAKE_CURRENT_SOURCE_DIR}/src/pages/${part}.js)
+        file(READ ${file} text)
+        string(APPEND ${PAGE}_JS "${text}")
+        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    endforeach()
+    set(file ${CMAKE_CURRENT_SOURCE_DIR}/src/pages/${page}.css)
+    file(READ ${file} ${PAGE}_CSS)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+endforeach()
+configure_file(src/pages.cpp.in pages.cpp @ONLY)

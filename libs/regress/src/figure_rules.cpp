@@ -1,0 +1,90 @@
+#include "flownav/regress/figure_rules.h"
+
+#include <cmath>
+
+namespace flownav::regress {
+
+namespace {
+
+/// For all figures whose name ends like this: the share, and the difference that is allowed in any case.
+struct Row {
+    const char* prefix;
+    const char* suffix;
+    double share;
+    double difference;
+    Better better;
+};
+
+/// The first that fits counts. The same program gives the same figures on the same machine; the differences
+/// are what another machine's arithmetic library may do, and what nobody would call a change.
+constexpr Row rows[] = {
+    {"read.", "", 0, 0, Better::Unknown},
+    {"rejected.", "", 0, 0, Better::Unknown},
+    {"warnings.", "", 0, 0, Better::Unknown},
+    {"status.ok", "", 0, 1, Better::Higher},
+    {"status.", "", 0, 1, Better::Lower},
+    {"written.obstacle_points", "", 0.02, 3, Better::Unknown},
+    {"written.map_", "", 0.02, 3, Better::Unknown},
+    {"written.", "", 0, 1, Better::Unknown},
+    {"drive.", "_s", 0, 1e-6, Better::Unknown},
+    {"drive.", "path_m", 0.002, 0.001, Better::Unknown},
+    {"drive.", "_m", 0, 0.005, Better::Unknown},
+    {"drive.", "_deg", 0, 0.05, Better::Unknown},
+    {"errors.", ".fields_compared", 0, 1, Better::Higher},
+    {"errors.", "_rms_degps", 0.1, 0.002, Better::Lower},
+    {"errors.", ".v_bias_percent", 0, 0.05, Better::NearerZero},
+    {"errors.", ".v_sd_percent", 0.1, 0.02, Better::Lower},
+    {"errors.", ".t_measured_percent", 0, 1, Better::Higher},
+    {"errors.", ".end_position_percent", 0, 0.05, Better::Lower},
+    {"errors.", ".heading_end_deg", 0, 0.03, Better::NearerZero},
+    {"errors.", ".path_m", 0.002, 0.001, Better::Unknown},
+    {"camera_check.pairs", "", 0.05, 3, Better::Unknown},
+    {"camera_check.", "_deg", 0, 0.05, Better::Unknown},
+    {"camera_check.", "", 0, 0.02, Better::Unknown},
+    {"", "", 0.02, 1e-9, Better::Unknown},
+};
+
+bool fits(const Row& row, const std::string& figure) {
+    const std::string prefix = row.prefix;
+    const std::string suffix = row.suffix;
+    return figure.size() >= prefix.size() + suffix.size() && figure.compare(0, prefix.size(), prefix) == 0 &&
+           figure.compare(figure.size() - suffix.size(), suffix.size(), suffix) == 0;
+}
+
+const Row& row_of(const std::string& figure) {
+    for (const Row& row : rows)
+        if (fits(row, figure)) return row;
+    return rows[0];  // never: the last row fits all
+}
+
+int sign(double value) {
+    return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+
+}  // namespace
+
+double Tolerance::width(double expected) const {
+    return relative ? value * std::abs(expected) : value;
+}
+
+FigureRule figure_rule(const std::string& figure, double expected) {
+    const Row& row = row_of(figure);
+    const bool relative = row.share * std::abs(expected) > row.difference;
+    return {{relative ? row.share : row.difference, relative}, row.better};
+}
+
+int verdict_on(Better better, double before, double after) {
+    switch (better) {
+        case Better::Lower:
+            return sign(before - after);
+        case Better::Higher:
+            return sign(after - before);
+        case Better::NearerZero:
+            return sign(std::abs(before) - std::abs(after));
+        case Better::Unknown:
+            break;
+    }
+    return 0;
+}
+
+}  // namespace flownav::regress

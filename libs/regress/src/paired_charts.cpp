@@ -1,0 +1,122 @@
+#include "flownav/regress/paired_charts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flownav::regress {
+
+namespace {
+
+struct Quantity {
+    const char* column;
+    const char* title;
+    const char* unit;
+    const char* note;
+    double factor;
+    double least_span;
+    int decimals;
+    bool of_cycles;  ///< tells something at the end of a cycle only
+};
+
+constexpr auto every_field = "Every field; positive: to the left.";
+constexpr auto every_cycle = "At the end of each cycle.";
+constexpr double to_deg = 180.0 / M_PI;
+
+constexpr Quantity quantities[] = {
+    {"omega_radps", "Turn rate", "deg/s", every_field, to_deg, 1.0, 3, false},
+    {"v_mps", "Forward speed", "m/s", every_cycle, 1.0, 0.05, 4, true},
+    {"obstacles", "Obstacle points", "", every_cycle, 1.0, 10.0, 0, true},
+    {"confident", "Blocks with an unambiguous match", "", every_cycle, 1.0, 10.0, 0, true},
+    {"inliers", "Blocks that support the turn rate", "", every_cycle, 1.0, 10.0, 0, true},
+};
+
+constexpr double same_time_s = 1e-6;
+
+/// For every time that is in one of two rising lists: its row in each, or none.
+struct MergedTimes {
+    static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+    std::vector<double> t;
+    std::vector<std::size_t> row_a, row_b;
+};
+
+MergedTimes merged(const std::vector<double>& a, const std::vector<double>& b) {
+    MergedTimes times;
+    for (std::size_t i = 0, k = 0; i < a.size() || k < b.size();) {
+        const double t_a = i < a.size() ? a[i] : HUGE_VAL;
+        const double t_b = k < b.size() ? b[k] : HUGE_VAL;
+        const double t = std::min(t_a, t_b);
+        times.t.push_back(t);
+        times.row_a.push_back(t_a - t < same_time_s ? i++ : MergedTimes::none);
+        times.row_b.push_back(t_b - t < same_time_s ? k++ : MergedTimes::none);
+    }
+    return times;
+}
+
+/// Whether a row is the last of its cycle.
+bool ends_cycle(const Columns& run, std::size_t row) {
+    const std::vector<double>& image = run.at("image_of_cycle");
+    return image[row] > 0.0 && (row + 1 == image.size() || image[row + 1] <= image[row]);
+}
+
+double value_at(const Columns& run, const Quantity& quantity, std::size_t row) {
+    if (row == MergedTimes::none) return ReportSeries::none;
+    if (quantity.of_cycles && !ends_cycle(run, row)) return ReportSeries::none;
+    const double value = run.at(quantity.column)[row];
+    return std::isfinite(value) ? value * quantity.factor : ReportSeries::gap;
+}
+
+/// B - A at every time at which one of them has a value. What a cycle found holds until the end of the next.
+std::vector<double> differences(const std::vector<double>& a, const std::vector<double>& b, bool holds) {
+    std::vector<double> values;
+    double last_a = ReportSeries::none;
+    double last_b = ReportSeries::none;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (!holds || a[i] != ReportSeries::none) last_a = a[i];
+        if (!holds || b[i] != ReportSeries::none) last_b = b[i];
+        const bool news = std::isfinite(a[i]) || std::isfinite(b[i]);
+        const bool known = std::isfinite(last_a) && std::isfinite(last_b);
+        values.push_back(news && known ? last_b - last_a : ReportSeries::none);
+    }
+    return values;
+}
+
+ReportChart chart_of(const Quantity& quantity, const Columns& before, const Columns& after,
+                     const MergedTimes& times) {
+    ReportChart chart;
+    chart.id = quantity.column;
+    chart.title = quantity.title;
+    chart.unit = quantity.unit;
+    chart.note = quantity.note;
+    chart.decimals = quantity.decimals;
+    chart.least_span = quantity.least_span;
+    chart.from_zero = quantity.of_cycles;
+    chart.series.resize(3);
+    std::vector<double>& a = chart.series[0].values;
+    std::vector<double>& b = chart.series[1].values;
+    for (std::size_t i = 0; i < times.t.size(); ++i) {
+        chart.t_s.push_back(times.t[i] - times.t.front());
+        a.push_back(value_at(before, quantity, times.row_a[i]));
+        b.push_back(value_at(after, quantity, times.row_b[i]));
+    }
+    chart.series[2].values = differences(a, b, quantity.of_cycles);
+    return chart;
+}
+
+bool has(const Columns& run, const char* column) {
+    return run.count("timestamp") == 1 && run.count("image_of_cycle") == 1 && run.count(column) == 1;
+}
+
+}  // namespace
+
+std::vector<ReportChart> paired_charts(const Columns& before, const Columns& after) {
+    std::vector<ReportChart> charts;
+    for (const Quantity& quantity : quantities) {
+        if (!has(before, quantity.column) || !has(after, quantity.column)) continue;
+        const MergedTimes times = merged(before.at("timestamp"), after.at("timestamp"));
+        charts.push_back(chart_of(quantity, before, after, times));
+    }
+    return charts;
+}
+
+}  // namespace flownav::regress

@@ -1,0 +1,40 @@
+#pragma once
+#include <opencv2/core/mat.hpp>
+
+#include "flownav/core/field.h"
+#include "flownav/pipeline/step.h"
+#include "flownav/report/fate_style.h"
+
+namespace flownav {
+
+/// From pixels of a field to pixels of its picture.
+struct FieldScale {
+    double x = 1.0;
+    double y = 1.0;
+
+    /// OpenCV resizes about pixel corners.
+    cv::Point at(const Eigen::Vector2d& pixel) const {
+        return {cvRound((pixel.x() + 0.5) * x - 0.5), cvRound((pixel.y() + 0.5) * y - 0.5)};
+    }
+};
+
+/// How much taller than wide a pixel of the field must be drawn for shapes to look right, 0.5..2: about 2 for
+/// a field of half the lines.
+double pixel_aspect(const Field& field);
+
+/// The field as an 8-bit BGR picture, scaled.
+cv::Mat scaled_field(const Field& field, const FieldScale& scale);
+
+/// True when the record has something to show for a block of this fate.
+bool is_drawn(const pipeline::BlockRecord& block, BlockFate fate);
+
+/// Tints every block of the style's fate where it is now; obstacles, movers and candidates get a frame.
+void tint_blocks(cv::Mat& picture, const pipeline::Step& step, const FieldScale& scale,
+                 const FateStyle& style);
+
+/// Draws the vectors of every block of the style's fate as arrows with a dark rim, which shows on light and
+/// dark ground; ambiguous blocks as dots.
+void draw_vectors(cv::Mat& picture, const pipeline::Step& step, const FieldScale& scale,
+                  const FateStyle& style);
+
+}  // namespace flownav

@@ -1,0 +1,18 @@
+#pragma once
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include <string>
+
+#include "flownav/config/config.h"
+#include "flownav/evaluation/drive.h"
+#include "flownav/report/filmstrip.h"
+
+namespace flownav {
+
+/// report.html: one file that opens offline, with linked charts over time, way, map, annotated fields and
+/// every figure in words. The same drive gives the same bytes, unless the times of `timing` shall be shown.
+std::string report_html(const Drive& drive, const Filmstrip& filmstrip,
+                        const mrpt::maps::COccupancyGridMap2D& map, const Config& config,
+                        const Timing* timing = nullptr);
+
+}  // namespace flownav

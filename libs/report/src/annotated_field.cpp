@@ -1,0 +1,100 @@
+#include "flownav/report/annotated_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <string>
+
+#include "flownav/cli/number_text.h"
+#include "flownav/report/field_drawing.h"
+
+namespace flownav {
+
+namespace {
+
+constexpr double narrowest_px = 760.0;
+constexpr double widest_px = 1280.0;
+constexpr int line_height_px = 24;
+constexpr int margin_px = 10;
+constexpr double font_scale = 0.5;
+const cv::Scalar paper(255, 255, 255);
+const cv::Scalar ink(30, 30, 30);
+
+FieldScale picture_scale(const Field& field) {
+    const double width = field.image.width_px;
+    const double zoom =
+        width < narrowest_px ? std::ceil(narrowest_px / width) : std::min(1.0, widest_px / width);
+    return {zoom, zoom * pixel_aspect(field)};
+}
+
+int count_of(const pipeline::Step& step, BlockFate fate) {
+    return static_cast<int>(std::count_if(step.blocks.begin(), step.blocks.end(),
+                                          [fate](const auto& block) { return is_drawn(block, fate); }));
+}
+
+std::string state_text(const pipeline::Step& step) {
+    std::string text = std::string("status ") + to_string(step.status);
+    if (step.status == FieldStatus::Ok) {
+        text += "    turn " + fixed_text(step.omega_radps * 180.0 / M_PI, 1) + " deg/s";
+    }
+    if (step.status != FieldStatus::Waiting) {
+        text +=
+            "    speed " + fixed_text(step.v_mps, 2) + " m/s" + (step.v_measured ? "" : " (carried over)");
+    }
+    return text + "    image " + std::to_string(step.image_of_cycle) + " of " +
+           std::to_string(step.cycle_images);
+}
+
+/// One line of text with an optional coloured mark before it; wraps at the right edge.
+class Caption {
+  public:
+    explicit Caption(int width_px) : width_px_(width_px), band_(line_height_px, width_px, CV_8UC3, paper) {}
+
+    void add(const std::string& text, const cv::Scalar* mark = nullptr) {
+        const int mark_px = mark != nullptr ? 20 : 0;
+        const int text_px = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, font_scale, 1, nullptr).width;
+        if (x_ > margin_px && x_ + mark_px + text_px + margin_px > width_px_) new_line();
+        const int baseline = band_.rows - 8;
+        if (mark != nullptr) cv::rectangle(band_, {x_, baseline - 11, 14, 12}, *mark, cv::FILLED);
+        cv::putText(band_, text, {x_ + mark_px, baseline}, cv::FONT_HERSHEY_SIMPLEX, font_scale, ink, 1,
+                    cv::LINE_AA);
+        x_ += mark_px + text_px + 22;
+    }
+
+    void new_line() {
+        cv::copyMakeBorder(band_, band_, 0, line_height_px, 0, 0, cv::BORDER_CONSTANT, paper);
+        x_ = margin_px;
+    }
+
+    const cv::Mat& band() const { return band_; }
+
+  private:
+    int width_px_;
+    int x_ = margin_px;
+    cv::Mat band_;
+};
+
+}  // namespace
+
+cv::Mat marked_field(const Field& field, const pipeline::Step& step, const FieldScale& scale) {
+    cv::Mat picture = scaled_field(field, scale);
+    for (const FateStyle& style : fate_styles()) tint_blocks(picture, step, scale, style);
+    for (const FateStyle& style : fate_styles()) draw_vectors(picture, step, scale, style);
+    return picture;
+}
+
+cv::Mat annotated_field(const Field& field, const pipeline::Step& step) {
+    const cv::Mat picture = marked_field(field, step, picture_scale(field));
+    Caption caption(picture.cols);
+    caption.add(state_text(step));
+    caption.new_line();
+    for (auto style = fate_styles().rbegin(); style != fate_styles().rend(); ++style) {
+        caption.add(std::string(style->label) + ' ' + std::to_string(count_of(step, style->fate)),
+                    &style->colour);
+    }
+    cv::Mat result;
+    cv::vconcat(picture, caption.band(), result);
+    return result;
+}
+
+}  // namespace flownav

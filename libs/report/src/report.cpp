@@ -1,0 +1,168 @@
+#include "flownav/report/report.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "flownav/cli/number_text.h"
+#include "flownav/core/version.h"
+#include "flownav/report/data_uri.h"
+#include "flownav/report/fate_style.h"
+#include "flownav/report/html.h"
+#include "flownav/report/page_assets.h"
+#include "report_data.h"
+#include "report_series.h"
+#include "report_tables.h"
+
+namespace flownav {
+
+namespace {
+
+constexpr auto mostly_without_motion =
+    "The motion is not known for most of the drive: the table of statuses below says why.";
+constexpr auto mostly_without_speed =
+    "The speed was not measured in most cycles, so way and distances are not to be trusted: the floor near "
+    "the "
+    "robot shows too little texture, or the robot hardly moved.";
+
+std::string box(bool good, const std::string& text) {
+    return std::string("<p class='") + (good ? "good" : "bad") + "'>" + html::escaped(text) + "</p>\n";
+}
+
+std::string short_facts(const Drive& drive) {
+    if (drive.rows.empty()) return html::paragraph("No field could be used, so there is nothing to show.");
+    const double duration_s = drive.rows.back().timestamp_s - drive.rows.front().timestamp_s;
+    const std::uint64_t ok = status_counts(drive.rows).front();
+    const double ok_percent = 100.0 * static_cast<double>(ok) / static_cast<double>(drive.rows.size());
+    const auto cycles = [&drive](bool FieldRow::*member) {
+        return std::count_if(drive.rows.begin(), drive.rows.end(), std::mem_fn(member));
+    };
+    const auto finished = cycles(&FieldRow::end_of_cycle);
+    const auto with_speed = cycles(&FieldRow::v_measured);
+    std::string html = html::paragraph(
+        std::to_string(drive.rows.size()) + " fields over " + fixed_text(duration_s, 2) +
+        " s; the turn rate was measured in " + fixed_text(ok_percent, 1) + " % of them, the speed in " +
+        std::to_string(with_speed) + " of " + std::to_string(finished) + " finished cycles, which gave " +
+        std::to_string(drive.written.obstacle_points) + " obstacle points.");
+    if (ok_percent < 50.0) html += box(false, mostly_without_motion);
+    if (2 * with_speed < finished) html += box(false, mostly_without_speed);
+    return html;
+}
+
+std::string beginning(const Drive& drive) {
+    const std::string title = html::escaped("Replay of " + drive.input_name);
+    std::string html =
+        "<!DOCTYPE html>\n<html lang='en'>\n<head>\n<meta charset='utf-8'>\n"
+        "<meta name='viewport' content='width=device-width, initial-scale=1'>\n"
+        "<link rel='icon' href='data:,'>\n<title>" +
+        title + "</title>\n<style>\n" + dygraphs_style + report_style + "</style>\n</head>\n<body>\n<h1>" +
+        title + "</h1>\n";
+    html += box(std::string(end_word(drive)) == "clean", end_sentence(drive));
+    for (const std::string& warning : drive.warnings) html += box(false, warning);
+    for (const std::string& warning : drive.camera_check.warnings) html += box(false, warning);
+    return html + short_facts(drive);
+}
+
+/// The pictures, which the script makes to follow the cursor.
+std::string strip(const Filmstrip& filmstrip, double start_s) {
+    std::string html = "<div id='strip' tabindex='0'>\n";
+    for (const Filmstrip::Picture& picture : filmstrip.pictures()) {
+        const std::string time_s = fixed_text(picture.timestamp_s - start_s, 2);
+        html += "<figure><img alt='annotated field at ";
+        html += time_s;
+        html += " s' src='";
+        html += data_uri("image/jpeg", picture.jpeg);
+        html += "'><figcaption>";
+        html += time_s;
+        html += " s</figcaption></figure>\n";
+    }
+    return html + "</div>\n";
+}
+
+const char* meaning_of(BlockFate fate) {
+    switch (fate) {
+        case BlockFate::Unplaced:
+            return "";
+        case BlockFate::Sifted:
+            return "the match is ambiguous: left out";
+        case BlockFate::Eliminated:
+            return "does not point away from where the robot drives to: left out";
+        case BlockFate::Ground:
+            return "moves like the floor";
+        case BlockFate::Obstacle:
+            return "nearer than the floor behind it, and a neighbour agrees";
+        case BlockFate::Moving:
+            return "belongs to something that moves by itself";
+        case BlockFate::Unsupported:
+            return "looks like an obstacle, but no neighbour agrees: left out";
+        case BlockFate::Unjudged:
+            return "fits the motion, but too far or too vague to be told from floor";
+    }
+    return "";
+}
+
+std::string fates_legend() {
+    std::string rows;
+    for (auto style = fate_styles().rbegin(); style != fate_styles().rend(); ++style) {
+        html::Cell name(style->label);
+        name.mark = css_colour(*style);
+        rows += html::row({name, {"", true}, {meaning_of(style->fate)}}, std::string("fate.") + style->label);
+    }
+    return html::table({{"block"}, {"here", true}, {"meaning"}}, rows);
+}
+
+std::string panel(const Filmstrip& filmstrip, double start_s) {
+    return "<aside id='panel'>\n<div id='follow'><p id='readout'></p>\n<img id='large' alt=''></div>\n" +
+           strip(filmstrip, start_s) + fates_legend() +
+           "<p class='help'>Arrows are the vectors of the running cycle, from its first field to this one; "
+           "they "
+           "end where the block is now. Fields of half the lines are shown at their true height.</p>\n"
+           "<p class='help keys'>Point at any chart, at the way or at the map: all show that moment. A click "
+           "pins "
+           "it, a second click or Esc frees it. Arrow keys step from picture to picture, with Shift from "
+           "field to "
+           "field. Drag in a chart over time to zoom, double-click to see all again.</p>\n</aside>\n";
+}
+
+/// Places that the script fills.
+std::string curves(const Drive& drive) {
+    std::string html =
+        "<div id='curves'>\n<section>\n<h2>Way and map</h2>\n"
+        "<figure class='plan'><canvas id='way'></canvas><figcaption>The way seen from above. Circle: "
+        "start; square: end; the arrow head is the robot at the moment shown.</figcaption></figure>\n"
+        "<figure class='plan'><canvas id='map'></canvas><figcaption>Map of the drive. White: floor "
+        "seen to be free; black: occupied; grey: not known. Orange dots: obstacle points of the "
+        "picture shown.</figcaption></figure>\n</section>\n"
+        "<section>\n<h2>Over time</h2>\n<div id='charts'></div>\n</section>\n"
+        "<section id='timing'>\n<h2>Time per stage</h2>\n<div id='times'></div>\n<p class='help'>";
+    html +=
+        "How long the computer took differs from run to run, and this page does not: it holds times only "
+        "when flownav-replay was asked for them with --timing. Otherwise choose the summary.json that lies "
+        "beside this page, or drop it here: <input type='file' id='summary' accept='.json'></p>\n"
+        "</section>\n</div>\n";
+    return drive.rows.empty() ? "" : html;
+}
+
+}  // namespace
+
+std::string report_html(const Drive& drive, const Filmstrip& filmstrip,
+                        const mrpt::maps::COccupancyGridMap2D& map, const Config& config,
+                        const Timing* timing) {
+    std::string html = beginning(drive);
+    if (!drive.rows.empty()) {
+        html +=
+            "<noscript><p class='bad'>The charts need JavaScript, which is switched off here; pictures and "
+            "tables show without.</p></noscript>\n<main>\n" +
+            curves(drive) + panel(filmstrip, drive.rows.front().timestamp_s) + "</main>\n";
+    }
+    html += report_tables(drive, config);
+    html += "<footer>flownav-replay " + html::escaped(version()) +
+            ". Every file and figure: share/doc/outputs.md of flownav.</footer>\n";
+    if (!drive.rows.empty()) {
+        html += "<script type='application/json' id='data'>" + report_data(drive, filmstrip, map, timing) +
+                "</script>\n<script>" + dygraphs_script + "</script>\n<script>" + report_script +
+                "</script>\n";
+    }
+    return html + "</body>\n</html>\n";
+}
+
+}  // namespace flownav

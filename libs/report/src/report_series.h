@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "flownav/evaluation/drive.h"
+#include "flownav/report/chart.h"
+#include "flownav/report/fate_style.h"
+
+namespace flownav {
+
+/// The ways of the robot over the same times, each from the identity on; not a number where not known.
+struct ReportTrack {
+    ReportSeries look;
+    std::vector<Pose2> poses;
+};
+
+/// Charts over time: turn rate, forward speed, heading, distance from the truth, blocks by fate, counts.
+std::vector<ReportChart> report_charts(const Drive& drive);
+
+/// Flow, odometry and truth, as far as there are any; one pose a field.
+std::vector<ReportTrack> report_tracks(const Drive& drive);
+
+/// The colour of a status, as in CSS.
+const char* colour_of(FieldStatus status);
+
+/// The colour of a fate, as in CSS.
+std::string css_colour(const FateStyle& style);
+
+}  // namespace flownav

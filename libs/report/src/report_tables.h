@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+#include "flownav/config/config.h"
+#include "flownav/evaluation/drive.h"
+
+namespace flownav {
+
+/// The tables of report.html, as HTML: every figure of summary.json but the timing, with its unit and what it
+/// means; what was rejected and why.
+std::string report_tables(const Drive& drive, const Config& config);
+
+}  // namespace flownav

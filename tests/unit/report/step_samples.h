@@ -1,0 +1,32 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "flownav/core/field.h"
+#include "flownav/evaluation/drive.h"
+#include "flownav/pipeline/step.h"
+#include "flownav/report/filmstrip.h"
+
+/// Hand-made steps, fields and drives for the tests of writing.
+namespace flownav::testing {
+
+constexpr double start_s = 1000.0;
+constexpr double period_s = 0.04;
+constexpr int cycle_images = 4;
+
+/// Field i of a drive that turns with a constant rate at a constant speed; every fourth ends a cycle.
+pipeline::Step step_at(int i, double omega_radps = 0.2, double v_mps = 0.4);
+
+/// A grey ramp of the size and shape of a PAL field.
+Field pal_field(int i);
+
+/// Such a drive as it stands before the outputs are finished, with odometry and ground truth that are exact.
+Drive sample_drive(int fields);
+
+/// The pictures of such a drive.
+Filmstrip sample_filmstrip(int fields);
+
+/// What a file holds; fails the test when it cannot be read.
+std::string content(const std::filesystem::path& file);
+
+}  // namespace flownav::testing
