@@ -10,7 +10,7 @@
 namespace flownav {
 namespace {
 
-constexpr int usage_status = static_cast<int>(CalibrationStatus::Usage);
+constexpr int usage_status = static_cast<int>(calibration::CalibrationStatus::Usage);
 
 constexpr auto help = R"(Estimates how a camera sits on its robot from a drive over a textured, level floor.
 
@@ -40,7 +40,7 @@ Exit status:
 )";
 
 struct CommandLine {
-    CalibrationOptions options;
+    calibration::CalibrationOptions options;
     bool quiet = false;
 };
 
@@ -48,7 +48,7 @@ struct CommandLine {
 std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std::ostream& out,
                                  std::ostream& error, int& status) {
     TCLAP::CmdLine command("", ' ', version());
-    CommandOutput output(command, "flownav-calibrate", help, out, error);
+    cli::CommandOutput output(command, "flownav-calibrate", help, out, error);
     using Text = TCLAP::ValueArg<std::string>;
     TCLAP::UnlabeledMultiArg<std::string> inputs("input", "", false, "INPUT.rawlog", command);
     Text file("", "output", "", false, "", "CAM.ini", command);
@@ -75,9 +75,9 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
     result.options.input = input;
     result.options.output = file.getValue();
     result.options.picture = picture.getValue();
-    result.options.config = configuration(config.getValue(), settings.getValue());
+    result.options.config = cli::configuration(config.getValue(), settings.getValue());
     result.options.odometry = odometry.getValue();
-    if (!result.quiet) result.options.progress = Progress::style_for(stdout);
+    if (!result.quiet) result.options.progress = cli::Progress::style_for(stdout);
     return result;
 }
 
@@ -88,15 +88,15 @@ int run_calibrate_app(const std::vector<std::string>& arguments, std::ostream& o
         int status = 0;
         const auto command = parse(arguments, out, error, status);
         if (!command) return status;
-        const CalibrationResult result = calibrate(command->options);
+        const calibration::CalibrationResult result = calibration::calibrate(command->options);
         if (!result.message.empty()) error << "flownav-calibrate: " << result.message << '\n';
         if (!command->quiet) {
-            for (const CalibratedValue& value : result.values) out << describe(value) << '\n';
+            for (const calibration::CalibratedValue& value : result.values) out << describe(value) << '\n';
             for (const std::string& note : result.notes) out << note << '\n';
             if (!result.values.empty()) out << "see " << command->options.output.string() << '\n';
         }
         return static_cast<int>(result.status);
-    } catch (const ConfigError& exception) {
+    } catch (const config::ConfigError& exception) {
         error << "flownav-calibrate: " << exception.what() << '\n';
         return usage_status;
     }

@@ -25,9 +25,9 @@ Exit status:
 
 int check(const std::string& file, std::ostream& out, std::ostream& error) {
     try {
-        Config config;
-        load_config_file(config, file);
-    } catch (const ConfigError& exception) {
+        config::Config config;
+        config::load_config_file(config, file);
+    } catch (const config::ConfigError& exception) {
         error << "flownav-config: " << exception.what() << '\n';
         return 1;
     }
@@ -39,7 +39,7 @@ int check(const std::string& file, std::ostream& out, std::ostream& error) {
 
 int run_config_app(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& error) {
     TCLAP::CmdLine command("", ' ', version());
-    CommandOutput output(command, "flownav-config", help, out, error);
+    cli::CommandOutput output(command, "flownav-config", help, out, error);
     TCLAP::SwitchArg dump("", "dump", "", command);
     TCLAP::ValueArg<std::string> file("", "check", "", false, "", "FILE.ini", command);
     TCLAP::SwitchArg doc("", "doc", "", command);
@@ -53,7 +53,7 @@ int run_config_app(const std::vector<std::string>& arguments, std::ostream& out,
         return 1;
     }
     if (file.isSet()) return check(file.getValue(), out, error);
-    out << (dump.isSet() ? dump_config(Config{}) : document_config());
+    out << (dump.isSet() ? config::dump_config(config::Config{}) : config::document_config());
     return 0;
 }
 

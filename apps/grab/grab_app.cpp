@@ -78,7 +78,7 @@ std::uint64_t bytes_of(double megabytes) {
 std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std::ostream& out,
                                  std::ostream& error, int& status) {
     TCLAP::CmdLine command("", ' ', version());
-    CommandOutput output(command, "flownav-grab", help, out, error);
+    cli::CommandOutput output(command, "flownav-grab", help, out, error);
     TCLAP::UnlabeledValueArg<std::string> config("config", "", false, "", "CONFIG.ini", command);
     TCLAP::ValueArg<std::string> file("", "output", "", false, "", "F.rawlog", command);
     TCLAP::ValueArg<double> max_size("", "max-size", "", false, 0, "MB", command);
@@ -132,7 +132,8 @@ void load_plugins(const std::vector<std::string>& plugins) {
     }
 }
 
-int grab(const CommandLine& command, const StopSignals& signals, std::ostream& out, std::ostream& error) {
+int grab(const CommandLine& command, const cli::StopSignals& signals, std::ostream& out,
+         std::ostream& error) {
     load_plugins(command.plugins);
     CFlowObstacleSensor::doRegister();
     const GrabSetup setup = read_grab_setup(command.config);
@@ -140,7 +141,7 @@ int grab(const CommandLine& command, const StopSignals& signals, std::ostream& o
     GrabOptions options = command.options;
     options.recording.gz_level = setup.gz_level;
     Grabber grabber(setup, options);
-    GrabProgress progress(command.quiet ? Progress::Style::Silent : Progress::style_for(stdout));
+    GrabProgress progress(command.quiet ? cli::Progress::Style::Silent : cli::Progress::style_for(stdout));
     while (!grabber.done()) {
         if (signals.wait(std::chrono::milliseconds(50))) break;
         progress.update(grabber.elapsed_s(), grabber.counts());
@@ -160,8 +161,8 @@ int grab(const CommandLine& command, const StopSignals& signals, std::ostream& o
 
 }  // namespace
 
-int run_grab_app(const std::vector<std::string>& arguments, const StopSignals& signals, std::ostream& out,
-                 std::ostream& error) {
+int run_grab_app(const std::vector<std::string>& arguments, const cli::StopSignals& signals,
+                 std::ostream& out, std::ostream& error) {
     try {
         int status = 0;
         const auto command = parse(arguments, out, error, status);
@@ -172,7 +173,7 @@ int run_grab_app(const std::vector<std::string>& arguments, const StopSignals& s
     } catch (const FileExists& exception) {
         error << "flownav-grab: " << exception.what() << '\n';
         return usage_status;
-    } catch (const OutputError& exception) {
+    } catch (const io::OutputError& exception) {
         error << "flownav-grab: " << exception.what() << '\n';
         return static_cast<int>(GrabStatus::Output);
     }

@@ -15,7 +15,7 @@ std::uint64_t sum(const std::map<std::string, std::uint64_t>& counts) {
 }
 
 std::string megabytes(std::uint64_t bytes) {
-    return fixed_text(static_cast<double>(bytes) / 1e6, 1) + " MB";
+    return cli::fixed_text(static_cast<double>(bytes) / 1e6, 1) + " MB";
 }
 
 std::string plural(std::uint64_t count, const std::string& what) {
@@ -25,16 +25,16 @@ std::string plural(std::uint64_t count, const std::string& what) {
 }  // namespace
 
 void GrabProgress::update(double elapsed_s, const WriterCounts& counts) {
-    if (style_ == Progress::Style::Silent || elapsed_s < next_s_) return;
-    next_s_ = elapsed_s + (style_ == Progress::Style::Bar ? 0.5 : 10.0);
+    if (style_ == cli::Progress::Style::Silent || elapsed_s < next_s_) return;
+    next_s_ = elapsed_s + (style_ == cli::Progress::Style::Bar ? 0.5 : 10.0);
     const std::uint64_t dropped = sum(counts.dropped);
     const std::string text =
-        fixed_text(elapsed_s, 1) + " s, " + plural(sum(counts.written), "observation") + ", " +
+        cli::fixed_text(elapsed_s, 1) + " s, " + plural(sum(counts.written), "observation") + ", " +
         megabytes(counts.file_bytes) +
         (counts.queue_bytes > 1000000 ? ", waiting " + megabytes(counts.queue_bytes) : "") +
         (dropped > 0 ? ", DROPPED " + std::to_string(dropped) : "");
     // Nobody depends on the progress: when it cannot be shown, the work goes on.
-    if (style_ == Progress::Style::Bar) {
+    if (style_ == cli::Progress::Style::Bar) {
         std::printf("\r%s\033[K", text.c_str());
         drawn_ = true;
     } else {
@@ -57,7 +57,7 @@ std::string outcome_text(const Grabber& grabber) {
     std::string files;
     for (const auto& file : grabber.files()) files += (files.empty() ? "" : ", ") + file.string();
     std::string text = plural(sum(counts.written), "observation") + " in " +
-                       fixed_text(grabber.elapsed_s(), 1) + " s" + labels + ", " +
+                       cli::fixed_text(grabber.elapsed_s(), 1) + " s" + labels + ", " +
                        megabytes(counts.file_bytes) + " in " + files;
     if (counts.late > 0) text += "; " + std::to_string(counts.late) + " came too late for the order of time";
     return text;

@@ -9,7 +9,7 @@ namespace flownav {
 /// Shows that the recording grows: one line that is redrawn on a terminal, else a line every 10 s.
 class GrabProgress {
   public:
-    explicit GrabProgress(Progress::Style style) : style_(style) {}
+    explicit GrabProgress(cli::Progress::Style style) : style_(style) {}
 
     void update(double elapsed_s, const WriterCounts& counts);
 
@@ -17,7 +17,7 @@ class GrabProgress {
     void finish() const;
 
   private:
-    Progress::Style style_;
+    cli::Progress::Style style_;
     double next_s_ = 1.0;
     bool drawn_ = false;
 };

@@ -19,7 +19,7 @@ void open_standard_streams() {
 
 int main(int argc, char** argv) {
     open_standard_streams();
-    const flownav::StopSignals signals;
+    const flownav::cli::StopSignals signals;
     // A closed pipe or a limit on file sizes shall be an error of the write, not the end of the program.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);

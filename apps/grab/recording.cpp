@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& file, int error_number) {
-    throw OutputError("cannot write " + file.string() + ": " + std::generic_category().message(error_number));
+    throw io::OutputError("cannot write " + file.string() + ": " +
+                          std::generic_category().message(error_number));
 }
 
 /// Whether `file` is a numbered continuation of `first`.
@@ -48,7 +49,7 @@ void prepare(const RecordingOptions& options) {
         }
         std::error_code error;
         fs::remove(file, error);
-        if (error) throw OutputError("cannot replace " + file.string() + ": " + error.message());
+        if (error) throw io::OutputError("cannot replace " + file.string() + ": " + error.message());
     }
 }
 

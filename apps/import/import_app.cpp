@@ -21,21 +21,22 @@ constexpr int output_status = 3;
 constexpr double kitti_rate_hz = 10.0;
 constexpr std::size_t problems_shown = 5;
 
-std::unique_ptr<ImageSequence> open_sequence(const ImportOptions& o) {
+std::unique_ptr<io::ImageSequence> open_sequence(const ImportOptions& o) {
     switch (o.kind) {
         case ImportKind::KittiOdometry:
-            return std::make_unique<KittiOdometry>(o.source, o.part, o.mount);
+            return std::make_unique<io::KittiOdometry>(o.source, o.part, o.mount);
         case ImportKind::KittiRaw:
-            return std::make_unique<KittiRaw>(o.source, o.part, o.rate_hz.value_or(kitti_rate_hz), o.mount);
+            return std::make_unique<io::KittiRaw>(o.source, o.part, o.rate_hz.value_or(kitti_rate_hz),
+                                                  o.mount);
         case ImportKind::Images:
-            return std::make_unique<ImageFolder>(o.source, o.camera, FrameTimes{o.times, o.rate_hz});
+            return std::make_unique<io::ImageFolder>(o.source, o.camera, io::FrameTimes{o.times, o.rate_hz});
         case ImportKind::Video:
-            return std::make_unique<VideoFile>(o.source, o.camera, o.rate_hz);
+            return std::make_unique<io::VideoFile>(o.source, o.camera, o.rate_hz);
     }
     return nullptr;
 }
 
-int report_problems(const ImageSequence& sequence, std::ostream& error) {
+int report_problems(const io::ImageSequence& sequence, std::ostream& error) {
     const auto& problems = sequence.problems();
     for (std::size_t i = 0; i < problems.size() && i < problems_shown; ++i) {
         error << "flownav-import: " << problems[i] << '\n';
@@ -48,15 +49,16 @@ int report_problems(const ImageSequence& sequence, std::ostream& error) {
 
 int run(const ImportOptions& options, std::ostream& out, std::ostream& error) {
     const auto sequence = open_sequence(options);
-    const auto* folder = dynamic_cast<const ImageFolder*>(sequence.get());
+    const auto* folder = dynamic_cast<const io::ImageFolder*>(sequence.get());
     if (folder != nullptr && !options.quiet) out << "times: " << folder->times_source() << '\n';
-    Progress progress(stdout, options.quiet ? Progress::Style::Silent : Progress::style_for(stdout));
-    RecordingOptions recording;
+    cli::Progress progress(stdout,
+                           options.quiet ? cli::Progress::Style::Silent : cli::Progress::style_for(stdout));
+    io::RecordingOptions recording;
     recording.output = options.output;
     recording.camera_label = options.camera.camera_label;
     recording.interlaced = options.camera.interlaced;
     recording.progress = [&progress](double share, std::uint64_t fields) { progress.update(share, fields); };
-    const RecordingCounts counts = write_recording(*sequence, recording);
+    const io::RecordingCounts counts = io::write_recording(*sequence, recording);
     progress.finish(counts.fields);
     if (!options.quiet) {
         out << options.output.string() << ": " << counts.fields << " images, " << counts.poses
@@ -76,7 +78,7 @@ int run_import_app(const std::vector<std::string>& arguments, std::ostream& out,
         int status = 0;
         const auto options = parse_import_options(arguments, out, error, status);
         return options ? run(*options, out, error) : status;
-    } catch (const OutputError& exception) {
+    } catch (const io::OutputError& exception) {
         return fail(exception, output_status);
     } catch (const std::exception& exception) {
         return fail(exception, usage_status);

@@ -109,11 +109,11 @@ std::string complaint(Arguments& a, const Subcommand* subcommand) {
 }
 
 CameraMount mount_of(Arguments& a) {
-    Config config;
-    set_config_value(config, "camera.height_m", a.height.getValue());
-    set_config_value(config, "camera.pitch_deg", a.pitch.getValue());
-    set_config_value(config, "camera.roll_deg", a.roll.getValue());
-    set_config_value(config, "camera.forward_m", a.forward.getValue());
+    config::Config config;
+    config::set_config_value(config, "camera.height_m", a.height.getValue());
+    config::set_config_value(config, "camera.pitch_deg", a.pitch.getValue());
+    config::set_config_value(config, "camera.roll_deg", a.roll.getValue());
+    config::set_config_value(config, "camera.forward_m", a.forward.getValue());
     CameraMount mount;
     mount.height_m = config.camera.height_m.value();
     mount.pitch_rad = config.camera.pitch_deg.value() * M_PI / 180;
@@ -122,10 +122,10 @@ CameraMount mount_of(Arguments& a) {
     return mount;
 }
 
-CameraConfig camera_of(Arguments& a) {
-    Config config;
-    load_config_file(config, a.camera.getValue());
-    if (a.interlaced.isSet()) set_config_value(config, "camera.interlaced", a.interlaced.getValue());
+config::CameraConfig camera_of(Arguments& a) {
+    config::Config config;
+    config::load_config_file(config, a.camera.getValue());
+    if (a.interlaced.isSet()) config::set_config_value(config, "camera.interlaced", a.interlaced.getValue());
     return config.camera;
 }
 
@@ -139,8 +139,8 @@ ImportOptions options_of(Arguments& a, const Subcommand& subcommand) {
     options.quiet = a.quiet.getValue();
     if (a.rate.isSet()) options.rate_hz = a.rate.getValue();
     if (a.rate.isSet() && !(a.rate.getValue() > 0.001 && a.rate.getValue() < 1e5)) {
-        throw ConfigError("--rate " + std::to_string(a.rate.getValue()) +
-                          ": must be 0.001 .. 100000 images a second");
+        throw config::ConfigError("--rate " + std::to_string(a.rate.getValue()) +
+                                  ": must be 0.001 .. 100000 images a second");
     }
     if (is_kitti(subcommand.kind)) {
         options.mount = mount_of(a);
@@ -155,7 +155,7 @@ ImportOptions options_of(Arguments& a, const Subcommand& subcommand) {
 std::optional<ImportOptions> parse_import_options(const std::vector<std::string>& arguments,
                                                   std::ostream& out, std::ostream& error, int& status) {
     TCLAP::CmdLine command("", ' ', version());
-    CommandOutput output(command, "flownav-import", help, out, error);
+    cli::CommandOutput output(command, "flownav-import", help, out, error);
     const auto args = std::make_unique<Arguments>(command);
     std::vector<const char*> argv;
     argv.reserve(arguments.size());

@@ -18,8 +18,8 @@ struct ImportOptions {
     std::filesystem::path source;  ///< DIR, DATEDIR or FILE
     std::string part;              ///< SEQ or DRIVE
     std::filesystem::path output;
-    CameraMount mount;    ///< of KITTI's camera 0
-    CameraConfig camera;  ///< of pictures and videos
+    CameraMount mount;            ///< of KITTI's camera 0
+    config::CameraConfig camera;  ///< of pictures and videos
     std::optional<double> rate_hz;
     std::filesystem::path times;
     bool quiet = false;

@@ -15,19 +15,20 @@ double rounded(double value) {
 
 }  // namespace
 
-double barn_score(const DriveResult& result, double reference_path_m) {
-    if (result.outcome != Outcome::Reached) return 0.0;
+double barn_score(const drive::DriveResult& result, double reference_path_m) {
+    if (result.outcome != drive::Outcome::Reached) return 0.0;
     const double optimal_s = reference_path_m / barn_speed_mps;
     return optimal_s / std::clamp(result.time_s, 2.0 * optimal_s, 8.0 * optimal_s);
 }
 
-std::string result_json(const NavOptions& options, const DriveResult& result, int fields_left_out) {
+std::string result_json(const NavOptions& options, const drive::DriveResult& result, int fields_left_out) {
     nlohmann::ordered_json json;
     json["outcome"] = to_string(result.outcome);
     json["why"] = result.why;
     json["time_s"] = rounded(result.time_s);
     json["path_m"] = rounded(result.path_m);
-    if (result.outcome == Outcome::Collision) json["contact_speed_mps"] = rounded(result.contact_speed_mps);
+    if (result.outcome == drive::Outcome::Collision)
+        json["contact_speed_mps"] = rounded(result.contact_speed_mps);
     if (options.reference_path_m > 0.0) json["score"] = rounded(barn_score(result, options.reference_path_m));
     if (options.robot == "sim") {
         json["min_clearance_m"] = rounded(result.min_clearance_m);
@@ -38,7 +39,7 @@ std::string result_json(const NavOptions& options, const DriveResult& result, in
         json["camera"] = options.camera->source;
         json["fields_left_out"] = fields_left_out;
     }
-    json["sensor"] = options.drive.sensor == SensorKind::Flow ? "flow" : "lidar";
+    json["sensor"] = options.drive.sensor == drive::SensorKind::Flow ? "flow" : "lidar";
     json["navigator"] =
         options.drive.config.navigation.navigator == NavigatorKind::Lanes ? "lanes" : "reactive";
     json["stops"] = nlohmann::ordered_json::array();

@@ -7,9 +7,9 @@
 namespace flownav {
 
 /// result.json: what came out of a drive, and of what.
-std::string result_json(const NavOptions& options, const DriveResult& result, int fields_left_out);
+std::string result_json(const NavOptions& options, const drive::DriveResult& result, int fields_left_out);
 
 /// BARN's score of one run; 0 unless the goal was reached.
-double barn_score(const DriveResult& result, double reference_path_m);
+double barn_score(const drive::DriveResult& result, double reference_path_m);
 
 }  // namespace flownav

@@ -58,7 +58,7 @@ class Canvas {
 };
 
 void draw_map(Canvas& canvas, const mrpt::maps::COccupancyGridMap2D& map) {
-    const GridArea area = area_of(map);
+    const GridArea area = mapping::area_of(map);
     for (int v = 0; v < canvas.picture.rows; ++v) {
         for (int u = 0; u < canvas.picture.cols; ++u) {
             const Eigen::Vector2i cell = area.cell_of(canvas.place_m(u, v));
@@ -98,7 +98,7 @@ void draw_robot(Canvas& canvas, const Polygon& footprint, const Pose2& pose, con
 
 }  // namespace
 
-cv::Mat drive_picture(const SimulatedDriveOptions& options, const DriveResult& result,
+cv::Mat drive_picture(const drive::SimulatedDriveOptions& options, const drive::DriveResult& result,
                       const mrpt::maps::COccupancyGridMap2D& map) {
     Vector2d low(options.start.x_m, options.start.y_m);
     Vector2d high = low;
@@ -109,7 +109,7 @@ cv::Mat drive_picture(const SimulatedDriveOptions& options, const DriveResult& r
     for (const Vector2d& goal : options.goals_m) include(goal);
     std::vector<Vector2d> way;
     std::vector<Vector2d> belief;
-    for (const DriveSample& sample : result.samples) {
+    for (const drive::DriveSample& sample : result.samples) {
         belief.emplace_back(sample.T_map_robot.x_m, sample.T_map_robot.y_m);
         if (sample.truth_known) way.emplace_back(sample.T_world_robot.x_m, sample.T_world_robot.y_m);
         include(sample.truth_known ? way.back() : belief.back());
@@ -125,10 +125,10 @@ cv::Mat drive_picture(const SimulatedDriveOptions& options, const DriveResult& r
     for (const Vector2d& goal : options.goals_m) canvas.dot(goal, options.success_radius_m, goal_colour, 2);
     const Polygon& footprint = options.config.navigation.robot.footprint_m;
     if (result.samples.empty()) return canvas.picture;
-    const DriveSample& last = result.samples.back();
+    const drive::DriveSample& last = result.samples.back();
     const cv::Scalar& colour = last.truth_known ? way_colour : belief_colour;
     draw_robot(canvas, footprint, options.start, colour);
-    const bool touched = result.outcome == Outcome::Collision;
+    const bool touched = result.outcome == drive::Outcome::Collision;
     draw_robot(canvas, footprint, last.truth_known ? last.T_world_robot : last.T_map_robot,
                touched ? contact_colour : colour);
     return canvas.picture;

@@ -21,19 +21,19 @@ namespace fs = std::filesystem;
 
 enum Status { fine = 0, usage = 1, input = 2, output = 3 };
 
-int status_of(Outcome outcome) {
+int status_of(drive::Outcome outcome) {
     switch (outcome) {
-        case Outcome::Reached:
+        case drive::Outcome::Reached:
             return 0;
-        case Outcome::Blocked:
+        case drive::Outcome::Blocked:
             return 4;
-        case Outcome::Collision:
+        case drive::Outcome::Collision:
             return 5;
-        case Outcome::Timeout:
+        case drive::Outcome::Timeout:
             return 6;
-        case Outcome::Stopped:
+        case drive::Outcome::Stopped:
             return 7;
-        case Outcome::Lost:
+        case drive::Outcome::Lost:
             return input;
     }
     return input;
@@ -42,9 +42,9 @@ int status_of(Outcome outcome) {
 constexpr double progress_every_s = 10.0;
 
 /// Hands what happens to the recorder, tells how far the drive is, and keeps the map.
-class Onlooker : public DriveObserver {
+class Onlooker : public drive::DriveObserver {
   public:
-    Onlooker(DriveRecorder& recorder, bool quiet, std::ostream& out)
+    Onlooker(drive::DriveRecorder& recorder, bool quiet, std::ostream& out)
         : recorder_(recorder), quiet_(quiet), out_(out) {}
 
     void on_field(const Field& field, const pipeline::Step& step) override {
@@ -54,21 +54,21 @@ class Onlooker : public DriveObserver {
         recorder_.on_odometry(timestamp_s, pose);
     }
     void on_truth(double timestamp_s, const Pose2& pose) override { recorder_.on_truth(timestamp_s, pose); }
-    void on_decision(const DriveSample& sample, const nav::Autopilot& autopilot) override {
-        recorder_.on_decision(sample, autopilot);
+    void on_decision(const drive::DriveSample& sample, const nav::NavigationStack& stack) override {
+        recorder_.on_decision(sample, stack);
         if (quiet_ || sample.time_s < next_progress_s_) return;
-        const nav::PilotDecision& decision = autopilot.decision();
-        out_ << fixed_text(sample.time_s, 0) << " s: at " << fixed_text(sample.T_map_robot.x_m, 1) << ' '
-             << fixed_text(sample.T_map_robot.y_m, 1) << " m, " << to_string(decision.state)
+        const nav::RecoveryDecision& decision = stack.decision();
+        out_ << cli::fixed_text(sample.time_s, 0) << " s: at " << cli::fixed_text(sample.T_map_robot.x_m, 1)
+             << ' ' << cli::fixed_text(sample.T_map_robot.y_m, 1) << " m, " << to_string(decision.state)
              << (decision.why.empty() ? "" : ", " + decision.why) << std::endl;
         next_progress_s_ += progress_every_s;
     }
-    void on_end(const nav::Autopilot& autopilot) override { map_ = autopilot.map(); }
+    void on_end(const nav::NavigationStack& stack) override { map_ = stack.map(); }
 
     const mrpt::maps::COccupancyGridMap2D& map() const { return map_; }
 
   private:
-    DriveRecorder& recorder_;
+    drive::DriveRecorder& recorder_;
     bool quiet_;
     std::ostream& out_;
     double next_progress_s_ = progress_every_s;
@@ -78,21 +78,21 @@ class Onlooker : public DriveObserver {
 void write_picture(const fs::path& file, const cv::Mat& picture) {
     std::vector<std::uint8_t> png;
     cv::imencode(".png", picture, png);
-    write_file(file, {reinterpret_cast<const char*>(png.data()), png.size()});
+    io::write_file(file, {reinterpret_cast<const char*>(png.data()), png.size()});
 }
 
 /// Where --output puts what has no place of its own.
 void complete(NavOptions& options) {
     if (options.output.empty()) return;
-    make_output_folder(options.output);
+    io::make_output_folder(options.output);
     if (options.result.empty()) options.result = options.output / "result.json";
     if (options.picture.empty()) options.picture = options.output / "drive.png";
-    if (options.record.empty() && options.drive.sensor == SensorKind::Flow)
+    if (options.record.empty() && options.drive.sensor == drive::SensorKind::Flow)
         options.record = options.output / "run.rawlog";
 }
 
-DriveRecorderOptions recorder_options(const NavOptions& options) {
-    DriveRecorderOptions recorder;
+drive::DriveRecorderOptions recorder_options(const NavOptions& options) {
+    drive::DriveRecorderOptions recorder;
     recorder.rawlog = options.record;
     if (!options.output.empty()) recorder.csv = options.output / "drive.csv";
     recorder.may_wait = options.robot == "sim";
@@ -102,62 +102,62 @@ DriveRecorderOptions recorder_options(const NavOptions& options) {
 /// The sensor's own account of the drive, from the recording, whose fields carry their camera.
 void report(const NavOptions& options) {
     if (options.output.empty() || options.record.empty()) return;
-    ReplayOptions replaying;
+    replay::ReplayOptions replaying;
     replaying.input = options.record;
     replaying.output = options.output;
     replaying.config = options.drive.config;
-    replaying.config.camera = CameraConfig{};
-    const ReplayResult result = replay(replaying);
-    if (result.status == ExitStatus::Output) throw OutputError(result.message);
+    replaying.config.camera = config::CameraConfig{};
+    const replay::ReplayResult result = replay::replay(replaying);
+    if (result.status == replay::ExitStatus::Output) throw io::OutputError(result.message);
 }
 
-DriveResult drive_simulated(const NavOptions& options, Onlooker& onlooker) {
-    return simulate_drive(options.drive, onlooker);
+drive::DriveResult drive_simulated(const NavOptions& options, Onlooker& onlooker) {
+    return drive::simulate_drive(options.drive, onlooker);
 }
 
 /// Its camera is opened before its motors are told anything. The base has been told `bye` afterwards.
-DriveResult drive_real(const NavOptions& options, Onlooker& onlooker) {
+drive::DriveResult drive_real(const NavOptions& options, Onlooker& onlooker) {
     constexpr double hung_s = 1.0;  // whatever hangs, the navigator or anything else of the loop
-    SteadyClock clock;
+    drive::SteadyClock clock;
     nav::TcpRobotParams params;
     params.clock_s = [&clock] { return clock.now_s(); };
     nav::TcpRobot base(nav::parse_tcp_address(options.robot), params);
-    CameraThread camera(*options.camera, clock, [&onlooker](const Field& field, const pipeline::Step& step) {
-        onlooker.on_field(field, step);
-    });
-    DriveOptions driving = options.drive;
+    drive::CameraThread camera(
+        *options.camera, clock,
+        [&onlooker](const Field& field, const pipeline::Step& step) { onlooker.on_field(field, step); });
+    drive::DriveOptions driving = options.drive;
     driving.hung_s = hung_s;
-    return drive(driving, {clock, base, camera}, onlooker);
+    return drive::drive(driving, {clock, base, camera}, onlooker);
 }
 
-std::string closing_line(const NavOptions& options, const DriveResult& result, double wall_s) {
+std::string closing_line(const NavOptions& options, const drive::DriveResult& result, double wall_s) {
     std::string line = to_string(result.outcome);
     if (!result.why.empty()) line += " (" + result.why + ')';
-    line += ": " + fixed_text(result.path_m, 2) + " m in " + fixed_text(result.time_s, 1) + " s";
+    line += ": " + cli::fixed_text(result.path_m, 2) + " m in " + cli::fixed_text(result.time_s, 1) + " s";
     if (options.robot != "sim") return line;
-    return line + ", nearest " + fixed_text(result.min_clearance_m, 2) + " m, " +
-           fixed_text(result.time_s / wall_s, 1) + " times real time";
+    return line + ", nearest " + cli::fixed_text(result.min_clearance_m, 2) + " m, " +
+           cli::fixed_text(result.time_s / wall_s, 1) + " times real time";
 }
 
-int drive(NavOptions options, const StopRequest& stop, std::ostream& out, std::ostream& error) {
+int run_drive(NavOptions options, const StopRequest& stop, std::ostream& out, std::ostream& error) {
     complete(options);
     options.drive.stop_wanted = stop.wanted;
-    DriveRecorder recorder(recorder_options(options));
+    drive::DriveRecorder recorder(recorder_options(options));
     Onlooker onlooker(recorder, options.quiet, out);
     const auto began = std::chrono::steady_clock::now();
-    const DriveResult result =
+    const drive::DriveResult result =
         options.robot == "sim" ? drive_simulated(options, onlooker) : drive_real(options, onlooker);
     const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     if (stop.release) stop.release();
     if (!options.quiet) out << closing_line(options, result, wall_s) << std::endl;
-    if (result.outcome == Outcome::Lost) error << "flownav-nav: " << result.why << '\n';
+    if (result.outcome == drive::Outcome::Lost) error << "flownav-nav: " << result.why << '\n';
     recorder.complete();  // first: what was measured is kept whatever else cannot be written
     const int left_out = recorder.fields_left_out();
     if (left_out > 0) {
         error << "flownav-nav: warning: " << left_out
               << " images are missing in the recording: the disk was too slow for them\n";
     }
-    if (!options.result.empty()) write_file(options.result, result_json(options, result, left_out));
+    if (!options.result.empty()) io::write_file(options.result, result_json(options, result, left_out));
     if (!options.picture.empty())
         write_picture(options.picture, drive_picture(options.drive, result, onlooker.map()));
     report(options);
@@ -175,11 +175,11 @@ int run_nav_app(const std::vector<std::string>& arguments, const StopRequest& st
     try {
         int status = fine;
         const auto options = parse_nav_options(arguments, out, error, status);
-        return options ? drive(*options, stop, out, error) : status;
-    } catch (const ConfigError& exception) {
+        return options ? run_drive(*options, stop, out, error) : status;
+    } catch (const config::ConfigError& exception) {
         error << "flownav-nav: " << exception.what() << '\n';
         return usage;
-    } catch (const OutputError& exception) {
+    } catch (const io::OutputError& exception) {
         error << "flownav-nav: " << exception.what() << '\n';
         return output;
     } catch (const std::invalid_argument& exception) {  // the address of a robot

@@ -37,16 +37,16 @@ std::vector<double> numbers(Text& argument, char separator, std::size_t count) {
         }
     }
     if (values.size() == count) return values;
-    throw ConfigError("--" + argument.getName() + ' ' + argument.getValue() + ": needs the form " +
-                      argument.getDescription());
+    throw config::ConfigError("--" + argument.getName() + ' ' + argument.getValue() + ": needs the form " +
+                              argument.getDescription());
 }
 
 /// Throws ConfigError unless low <= value <= high.
 template <class T>
 T in_range(TCLAP::ValueArg<T>& argument, T low, T high) {
     if (argument.getValue() >= low && argument.getValue() <= high) return argument.getValue();
-    throw ConfigError("--" + argument.getName() + ' ' + config::format_number(argument.getValue()) +
-                      ": is out of range; allowed: " + config::describe(config::Range<T>{low, high}));
+    throw config::ConfigError("--" + argument.getName() + ' ' + config::format_number(argument.getValue()) +
+                              ": is out of range; allowed: " + config::describe(config::Range<T>{low, high}));
 }
 
 std::vector<Vector2d> read_waypoints(const std::string& path) {
@@ -79,7 +79,7 @@ T one_of(const std::string& option, const std::string& word,
         if (name == word) return value;
         words += (words.empty() ? "" : ", ") + name;
     }
-    throw ConfigError("--" + option + ' ' + word + ": is none of " + words);
+    throw config::ConfigError("--" + option + ' ' + word + ": is none of " + words);
 }
 
 /// The arguments as TCLAP sees them.
@@ -127,7 +127,8 @@ std::uint64_t seed_of(Arguments& a) {
 }
 
 sim::World make_world(Arguments& a, std::ostream& error) {
-    if (a.world.isSet() == a.generate.isSet()) throw ConfigError("needs either --world or --generate");
+    if (a.world.isSet() == a.generate.isSet())
+        throw config::ConfigError("needs either --world or --generate");
     if (a.generate.isSet()) {
         using Kind = sim::WorldKind;
         return sim::generate_world(one_of<Kind>("generate", a.generate.getValue(),
@@ -143,7 +144,7 @@ sim::World make_world(Arguments& a, std::ostream& error) {
 }
 
 /// The camera of the command line, on the mount of the configuration.
-sim::CameraSimParams make_camera(Arguments& a, const CameraConfig& config) {
+sim::CameraSimParams make_camera(Arguments& a, const config::CameraConfig& config) {
     sim::CameraSimParams params;
     params.interlaced = a.interlaced.getValue();
     CameraModel& camera = params.camera;
@@ -175,7 +176,7 @@ void set_surface(sim::World& world, sim::Surface surface) {
     for (sim::Solid& solid : world.solids) solid.look.surface = surface;
 }
 
-void set_goals(Arguments& a, SimulatedDriveOptions& drive) {
+void set_goals(Arguments& a, drive::SimulatedDriveOptions& drive) {
     drive.start = drive.world.start;
     if (a.start.isSet()) {
         const auto start = numbers(a.start, ',', 3);
@@ -193,7 +194,8 @@ void set_goals(Arguments& a, SimulatedDriveOptions& drive) {
     } else if (drive.world.goal && drive.goals_m.empty()) {
         drive.goals_m.push_back(*drive.world.goal);
     }
-    if (drive.goals_m.empty()) throw ConfigError("needs --goal X,Y, --waypoints FILE or --follow X,Y");
+    if (drive.goals_m.empty())
+        throw config::ConfigError("needs --goal X,Y, --waypoints FILE or --follow X,Y");
 }
 
 /// What only the simulation knows must not be ignored in silence.
@@ -204,7 +206,8 @@ void refuse_simulation_options(Arguments& a) {
         &a.rate,    &a.interlaced,     &a.noise,          &a.vibration,
         &a.objects, &a.reference_path, &a.realtime,       &a.supersampling};
     for (const TCLAP::Arg* argument : simulated) {
-        if (argument->isSet()) throw ConfigError("--" + argument->getName() + ": only with --robot sim");
+        if (argument->isSet())
+            throw config::ConfigError("--" + argument->getName() + ": only with --robot sim");
     }
 }
 
@@ -212,22 +215,25 @@ NavOptions options_of(Arguments& a, std::ostream& error) {
     NavOptions options;
     options.robot = a.robot.getValue();
     options.seed = seed_of(a);
-    SimulatedDriveOptions& drive = options.drive;
+    drive::SimulatedDriveOptions& drive = options.drive;
     if (options.robot != "sim") {
         refuse_simulation_options(a);
         nav::parse_tcp_address(options.robot);
-        if (!a.camera.isSet()) throw ConfigError("--robot " + options.robot + ": needs --camera CAM.ini");
-        options.camera = read_producer_settings(a.camera.getValue());
+        if (!a.camera.isSet())
+            throw config::ConfigError("--robot " + options.robot + ": needs --camera CAM.ini");
+        options.camera = io::read_producer_settings(a.camera.getValue());
     } else if (a.camera.isSet()) {
-        throw ConfigError(
+        throw config::ConfigError(
             "--camera: only with --robot tcp:HOST:PORT; the simulated robot has its own camera");
     }
-    const Config base = options.camera ? options.camera->config : Config{};
-    drive.config = configuration(a.config.getValue(), a.settings.getValue(), base);
-    if (a.navigator.isSet()) set_config_value(drive.config, "navigation.navigator", a.navigator.getValue());
-    drive.sensor = one_of<SensorKind>("sensor", a.sensor.getValue(),
-                                      {{"flow", SensorKind::Flow}, {"lidar", SensorKind::Lidar}});
-    check_navigation(drive.config);
+    const config::Config base = options.camera ? options.camera->config : config::Config{};
+    drive.config = cli::configuration(a.config.getValue(), a.settings.getValue(), base);
+    if (a.navigator.isSet())
+        config::set_config_value(drive.config, "navigation.navigator", a.navigator.getValue());
+    drive.sensor =
+        one_of<drive::SensorKind>("sensor", a.sensor.getValue(),
+                                  {{"flow", drive::SensorKind::Flow}, {"lidar", drive::SensorKind::Lidar}});
+    config::check_navigation(drive.config);
     if (options.camera) {
         options.camera->config = drive.config;
     } else {
@@ -265,7 +271,7 @@ NavOptions options_of(Arguments& a, std::ostream& error) {
 std::optional<NavOptions> parse_nav_options(const std::vector<std::string>& arguments, std::ostream& out,
                                             std::ostream& error, int& status) {
     TCLAP::CmdLine command("", ' ', version());
-    CommandOutput output(command, "flownav-nav", nav_help, out, error);
+    cli::CommandOutput output(command, "flownav-nav", nav_help, out, error);
     Arguments parsed(command);
     std::vector<const char*> argv;
     argv.reserve(arguments.size());

@@ -14,14 +14,14 @@ namespace flownav {
 
 /// What flownav-nav was asked for.
 struct NavOptions {
-    std::string robot = "sim";               ///< sim, or tcp:HOST:PORT
-    std::optional<ProducerSettings> camera;  ///< of a real robot
-    SimulatedDriveOptions drive;             ///< of a real robot: only what is no simulation
-    std::filesystem::path output;            ///< folder of pictures, logs and report; empty: none
-    std::filesystem::path result;            ///< empty: the output folder's result.json, if there is one
-    std::filesystem::path record;            ///< a rawlog; empty: none
-    std::filesystem::path picture;           ///< empty: the output folder's drive.png, if there is one
-    double reference_path_m = 0.0;           ///< of the score; 0: no score
+    std::string robot = "sim";                   ///< sim, or tcp:HOST:PORT
+    std::optional<io::ProducerSettings> camera;  ///< of a real robot
+    drive::SimulatedDriveOptions drive;          ///< of a real robot: only what is no simulation
+    std::filesystem::path output;                ///< folder of pictures, logs and report; empty: none
+    std::filesystem::path result;                ///< empty: the output folder's result.json, if there is one
+    std::filesystem::path record;                ///< a rawlog; empty: none
+    std::filesystem::path picture;               ///< empty: the output folder's drive.png, if there is one
+    double reference_path_m = 0.0;               ///< of the score; 0: no score
     std::uint64_t seed = 1;
     bool quiet = false;
 };

@@ -41,9 +41,9 @@ int run_regress_app(const std::vector<std::string>& arguments, std::ostream& out
         return options ? run_command(*options, out, error) : status;
     } catch (const regress::UsageError& exception) {
         return fail(exception, regress::exit_usage);
-    } catch (const ConfigError& exception) {
+    } catch (const config::ConfigError& exception) {
         return fail(exception, regress::exit_usage);
-    } catch (const OutputError& exception) {
+    } catch (const io::OutputError& exception) {
         return fail(exception, regress::exit_try_again);
     } catch (const std::filesystem::filesystem_error& exception) {
         return fail(exception, regress::exit_try_again);

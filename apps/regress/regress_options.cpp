@@ -76,7 +76,7 @@ struct CommandLine {
         : output(cmd, "flownav-regress", regress_help, out, error) {}
 
     TCLAP::CmdLine cmd{"", ' ', version()};
-    CommandOutput output;
+    cli::CommandOutput output;
     TCLAP::UnlabeledMultiArg<std::string> words{"words", "", false, "COMMAND", cmd};
     TCLAP::ValueArg<std::string> manifest{"", "manifest", "", false, "", "FILE", cmd};
     TCLAP::ValueArg<std::string> root{"", "root", "", false, "", "DIR", cmd};

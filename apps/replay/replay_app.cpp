@@ -15,7 +15,7 @@ namespace flownav {
 
 namespace {
 
-constexpr int usage_status = static_cast<int>(ExitStatus::Usage);
+constexpr int usage_status = static_cast<int>(replay::ExitStatus::Usage);
 constexpr int most_threads = 64;
 constexpr double longest_run_s = 1e6;
 
@@ -33,7 +33,7 @@ flownav-replay INPUT.rawlog --realtime [--for-s S] [--output DIR] [--config FILE
   --set section.key=value   sets one key, after the file; may be given several times
   --video FILE.mp4          also make a video of the drive: annotated fields side by side with the growing map
   --flow-field FILE.rawlog  also write the whole record of every field: blocks with vectors, predictions and
-                            fates, motion, obstacles; for MRPT's tools with the plug-in libflownav-sensor.so
+                            labels, motion, obstacles; for MRPT's tools with the plug-in libflownav-sensor.so
   --keep-images             copy the fields as they were used into result.rawlog
   --timing                  show the time per stage in report.html too; it then differs from run to run
   --threads N               1..64, default 1; from 2 on one decodes ahead and draws the report's pictures
@@ -67,18 +67,18 @@ Exit status:
 )";
 
 struct CommandLine {
-    ReplayOptions options;
+    replay::ReplayOptions options;
     bool realtime = false;
     std::optional<double> duration_s;  ///< of a run in real time
     bool quiet = false;
 };
 
 /// With the number of threads. Throws ConfigError.
-Config configuration(const std::string& file, const std::vector<std::string>& settings, int threads) {
-    Config config = flownav::configuration(file, settings);
+config::Config configuration(const std::string& file, const std::vector<std::string>& settings, int threads) {
+    config::Config config = cli::configuration(file, settings);
     if (threads < 1 || threads > most_threads) {
-        throw ConfigError("--threads " + std::to_string(threads) + ": must be 1.." +
-                          std::to_string(most_threads));
+        throw config::ConfigError("--threads " + std::to_string(threads) + ": must be 1.." +
+                                  std::to_string(most_threads));
     }
     config.pipeline.threads = threads;
     return config;
@@ -93,7 +93,7 @@ std::string contradiction(const CommandLine& line, bool input, bool output) {
     if (!input) return "needs INPUT.rawlog";
     if (line.duration_s && !(*line.duration_s > 0.0 && *line.duration_s <= longest_run_s))
         return "--for-s must be over 0 and at most 1000000 seconds";
-    const OptionalOutputs& optional = line.options.optional;
+    const replay::OptionalOutputs& optional = line.options.optional;
     const bool more = optional.keep_images || !optional.video.empty() || !optional.flow_field.empty();
     if (more || line.options.timing_in_report)
         return "--realtime writes none of --video, --flow-field, --keep-images, --timing";
@@ -104,7 +104,7 @@ std::string contradiction(const CommandLine& line, bool input, bool output) {
 std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std::ostream& out,
                                  std::ostream& error, int& status) {
     TCLAP::CmdLine command("", ' ', version());
-    CommandOutput output(command, "flownav-replay", help, out, error);
+    cli::CommandOutput output(command, "flownav-replay", help, out, error);
     TCLAP::UnlabeledValueArg<std::string> input("input", "", false, "", "INPUT.rawlog", command);
     TCLAP::ValueArg<std::string> folder("", "output", "", false, "", "DIR", command);
     TCLAP::ValueArg<std::string> file("", "config", "", false, "", "FILE.ini", command);
@@ -147,18 +147,18 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
         return std::nullopt;
     }
     result.options.config = configuration(file.getValue(), settings.getValue(), threads.getValue());
-    if (!result.quiet) result.options.progress = Progress::style_for(stdout);
+    if (!result.quiet) result.options.progress = cli::Progress::style_for(stdout);
     return result;
 }
 
-ReplayResult run(const CommandLine& command) {
-    if (!command.realtime) return replay(command.options);
-    RealtimeOptions options;
+replay::ReplayResult run(const CommandLine& command) {
+    if (!command.realtime) return replay::replay(command.options);
+    replay::RealtimeOptions options;
     options.input = command.options.input;
     options.output = command.options.output;
     options.config = command.options.config;
     options.duration_s = command.duration_s;
-    return replay_realtime(options);
+    return replay::replay_realtime(options);
 }
 
 }  // namespace
@@ -168,13 +168,13 @@ int run_replay_app(const std::vector<std::string>& arguments, std::ostream& out,
         int status = 0;
         const auto command = parse(arguments, out, error, status);
         if (!command) return status;
-        const ReplayResult result = run(*command);
+        const replay::ReplayResult result = run(*command);
         if (!result.message.empty()) error << "flownav-replay: " << result.message << '\n';
         for (const std::string& warning : result.warnings)
             error << "flownav-replay: warning: " << warning << '\n';
         if (!command->quiet && !result.outcome.empty()) out << result.outcome << '\n';
         return static_cast<int>(result.status);
-    } catch (const ConfigError& exception) {
+    } catch (const config::ConfigError& exception) {
         error << "flownav-replay: " << exception.what() << '\n';
         return usage_status;
     }

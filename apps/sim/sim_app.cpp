@@ -33,8 +33,8 @@ void warn_of(const std::string& touched, double time_s, std::ostream& error) {
     error << "flownav-sim: warning: after " << time_s << " s the path goes through " << touched << '\n';
 }
 
-void record(const SimOptions& options, Progress& progress, std::ostream& error) {
-    DriveRecording recording(options.output);
+void record(const SimOptions& options, cli::Progress& progress, std::ostream& error) {
+    io::DriveRecording recording(options.output);
     sim::CameraSimulator camera(options.world, options.camera);
     sim::WheelOdometry wheels(options.odometry);
     const int images = images_of(options);
@@ -64,12 +64,13 @@ void record(const SimOptions& options, Progress& progress, std::ostream& error) 
 void run(const SimOptions& options, std::ostream& out, std::ostream& error) {
     for (const std::string& warning : options.warnings) error << "flownav-sim: warning: " << warning << '\n';
     if (!options.write_world.empty()) {
-        write_file(options.write_world, sim::to_sdf(options.world));
+        io::write_file(options.write_world, sim::to_sdf(options.world));
         if (!options.quiet)
             out << options.write_world.string() << ": " << options.world.solids.size() << " solids\n";
     }
     if (!options.path) return;
-    Progress progress(stdout, options.quiet ? Progress::Style::Silent : Progress::style_for(stdout));
+    cli::Progress progress(stdout,
+                           options.quiet ? cli::Progress::Style::Silent : cli::Progress::style_for(stdout));
     const auto begin = std::chrono::steady_clock::now();
     record(options, progress, error);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
@@ -94,7 +95,7 @@ int run_sim_app(const std::vector<std::string>& arguments, std::ostream& out, st
         const auto options = parse_sim_options(arguments, out, error, status);
         if (options) run(*options, out, error);
         return status;
-    } catch (const OutputError& exception) {
+    } catch (const io::OutputError& exception) {
         return fail(exception, output_status);
     } catch (const sim::WorldError& exception) {
         return fail(exception, input_status);

@@ -60,8 +60,8 @@ template <class Number>
 Number in_range(TCLAP::ValueArg<Number>& argument, Number low, Number high) {
     if (argument.getValue() >= low && argument.getValue() <= high) return argument.getValue();
     const auto text = [](Number value) { return config::format_number(static_cast<double>(value)); };
-    throw ConfigError("--" + argument.getName() + ' ' + text(argument.getValue()) + ": must be " + text(low) +
-                      ".." + text(high));
+    throw config::ConfigError("--" + argument.getName() + ' ' + text(argument.getValue()) + ": must be " +
+                              text(low) + ".." + text(high));
 }
 
 std::uint64_t seed_of(Arguments& a) {
@@ -89,7 +89,7 @@ sim::WorldKind kind_named(const std::string& word) {
         if (word == to_string(kind)) return kind;
         known += std::string(known.empty() ? "" : ", ") + to_string(kind);
     }
-    throw ConfigError("--generate " + word + ": is none of " + known);
+    throw config::ConfigError("--generate " + word + ": is none of " + known);
 }
 
 void take_world(Arguments& a, SimOptions& options) {
@@ -119,33 +119,34 @@ std::optional<sim::TimedPath> path_of(Arguments& a, const Pose2& start) {
     try {
         return sim::drive_script(a.script.getValue(), robot, start);
     } catch (const sim::PathError& error) {
-        throw ConfigError(error.what());  // of the command line, not of a file
+        throw config::ConfigError(error.what());  // of the command line, not of a file
     }
 }
 
 /// Value of a key of the camera: the option, the ini, or the default.
-double camera_value(Text& option, const std::string& key, std::optional<double> CameraConfig::*member,
-                    Config& config, double otherwise) {
-    if (option.isSet()) set_config_value(config, key, option.getValue());
+double camera_value(Text& option, const std::string& key, std::optional<double> config::CameraConfig::*member,
+                    config::Config& config, double otherwise) {
+    if (option.isSet()) config::set_config_value(config, key, option.getValue());
     return (config.camera.*member).value_or(otherwise);
 }
 
 CameraModel camera_model_of(Arguments& a) {
-    Config config = configuration(a.camera.getValue(), a.settings.getValue());
+    config::Config config = cli::configuration(a.camera.getValue(), a.settings.getValue());
     CameraModel camera;
     camera.width_px = a.interlaced.getValue() && !a.width_px.isSet() ? 768 : in_range(a.width_px, 64, 4096);
     camera.height_px =
         a.interlaced.getValue() && !a.height_px.isSet() ? 576 : in_range(a.height_px, 48, 4096);
     const double half_rad = in_range(a.fov, 10.0, 140.0) / 2 * degree;
-    const CameraConfig& ini = config.camera;
+    const config::CameraConfig& ini = config.camera;
     camera.fx_px = ini.fx_px.value_or(camera.width_px / 2.0 / std::tan(half_rad));
     camera.fy_px = ini.fy_px.value_or(camera.fx_px);
     camera.cx_px = ini.cx_px.value_or((camera.width_px - 1) / 2.0);
     camera.cy_px = ini.cy_px.value_or((camera.height_px - 1) / 2.0);
     if (ini.distortion) camera.distortion = *ini.distortion;
-    camera.mount.height_m = camera_value(a.height, "camera.height_m", &CameraConfig::height_m, config, 0.9);
+    camera.mount.height_m =
+        camera_value(a.height, "camera.height_m", &config::CameraConfig::height_m, config, 0.9);
     camera.mount.pitch_rad =
-        camera_value(a.pitch, "camera.pitch_deg", &CameraConfig::pitch_deg, config, 25.0) * degree;
+        camera_value(a.pitch, "camera.pitch_deg", &config::CameraConfig::pitch_deg, config, 25.0) * degree;
     camera.mount.roll_rad = ini.roll_deg.value_or(0.0) * degree;
     camera.mount.yaw_rad = ini.yaw_deg.value_or(0.0) * degree;
     camera.mount.forward_m = ini.forward_m.value_or(0.0);
@@ -183,7 +184,7 @@ SimOptions options_of(Arguments& a) {
 std::optional<SimOptions> parse_sim_options(const std::vector<std::string>& arguments, std::ostream& out,
                                             std::ostream& error, int& status) {
     TCLAP::CmdLine command("", ' ', version());
-    CommandOutput output(command, "flownav-sim", sim_help, out, error);
+    cli::CommandOutput output(command, "flownav-sim", sim_help, out, error);
     const auto args = std::make_unique<Arguments>(command);
     std::vector<const char*> argv;
     argv.reserve(arguments.size());

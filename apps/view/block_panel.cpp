@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "flownav/cli/number_text.h"
-#include "flownav/report/fate_style.h"
+#include "flownav/report/label_style.h"
 #include "ink.h"
 
 namespace flownav::view {
@@ -20,7 +20,7 @@ constexpr double small = 0.4;
 constexpr int small_line_px = 16;
 
 std::string pair_text(const Eigen::Vector2d& v, int decimals) {
-    return '(' + fixed_text(v.x(), decimals) + ", " + fixed_text(v.y(), decimals) + ')';
+    return '(' + cli::fixed_text(v.x(), decimals) + ", " + cli::fixed_text(v.y(), decimals) + ')';
 }
 
 std::string measured_in(const pipeline::BlockRecord& block) {
@@ -37,7 +37,7 @@ struct HeatScale {
 HeatScale scale_of(const SadWindow& window) {
     HeatScale scale{65535.0, 0.0};
     for (const std::uint16_t cost : window.surface) {
-        if (cost == no_cost) continue;
+        if (cost == flow::no_cost) continue;
         scale.low = std::min<double>(scale.low, cost);
         scale.high = std::max<double>(scale.high, cost);
     }
@@ -48,12 +48,12 @@ HeatScale scale_of(const SadWindow& window) {
 /// One pixel an offset: dark is a good match, bright a bad one, hatched grey lies outside the image.
 cv::Mat heat_map(const SadWindow& window) {
     const HeatScale scale = scale_of(window);
-    cv::Mat heat(search_px, search_px, CV_8UC1);
-    cv::Mat outside(search_px, search_px, CV_8UC1, cv::Scalar(0));
-    for (int row = 0; row < search_px; ++row) {
-        for (int column = 0; column < search_px; ++column) {
-            const std::uint16_t cost = window.surface.at(std::size_t{search_px} * row + column);
-            if (cost == no_cost) outside.at<std::uint8_t>(row, column) = 255;
+    cv::Mat heat(flow::search_px, flow::search_px, CV_8UC1);
+    cv::Mat outside(flow::search_px, flow::search_px, CV_8UC1, cv::Scalar(0));
+    for (int row = 0; row < flow::search_px; ++row) {
+        for (int column = 0; column < flow::search_px; ++column) {
+            const std::uint16_t cost = window.surface.at(std::size_t{flow::search_px} * row + column);
+            if (cost == flow::no_cost) outside.at<std::uint8_t>(row, column) = 255;
             const double share = (std::min<double>(cost, scale.high) - scale.low) / (scale.high - scale.low);
             heat.at<std::uint8_t>(row, column) = cv::saturate_cast<std::uint8_t>(255.0 * share);
         }
@@ -65,20 +65,20 @@ cv::Mat heat_map(const SadWindow& window) {
 }
 
 void mark_cell(cv::Mat& panel, const cv::Rect& area, int cell_px, int mu, int nu, const cv::Scalar& colour) {
-    const cv::Rect cell(area.x + (mu - search_min) * cell_px, area.y + (nu - search_min) * cell_px, cell_px,
-                        cell_px);
+    const cv::Rect cell(area.x + (mu - flow::search_min) * cell_px,
+                        area.y + (nu - flow::search_min) * cell_px, cell_px, cell_px);
     cv::rectangle(panel, cell, ink, 3);
     cv::rectangle(panel, cell, colour, 2);
 }
 
 std::string per_pixel(std::uint16_t cost) {
-    constexpr double pixels = 1.0 * block_px * block_px;
-    return std::to_string(cost) + ", " + fixed_text(cost / pixels, 1) + " a pixel";
+    constexpr double pixels = 1.0 * flow::block_px * flow::block_px;
+    return std::to_string(cost) + ", " + cli::fixed_text(cost / pixels, 1) + " a pixel";
 }
 
 void draw_axes(cv::Mat& panel, const cv::Rect& area, int cell_px) {
-    for (const int offset : {search_min, 0, search_max}) {
-        const int shift = (offset - search_min) * cell_px + cell_px / 2;
+    for (const int offset : {flow::search_min, 0, flow::search_max}) {
+        const int shift = (offset - flow::search_min) * cell_px + cell_px / 2;
         const std::string text = std::to_string(offset);
         write_text(panel, {area.x + shift - text_width(text, small) / 2, area.y + area.height + 13}, text,
                    grey, small);
@@ -88,16 +88,17 @@ void draw_axes(cv::Mat& panel, const cv::Rect& area, int cell_px) {
 }
 
 void draw_surface(cv::Mat& panel, const SadWindow& window, const cv::Rect& room) {
-    const int cell_px = std::min((room.width - 2 * axis_px) / search_px,
-                                 (room.height - 2 * axis_px - caption_px) / search_px);
+    const int cell_px = std::min((room.width - 2 * axis_px) / flow::search_px,
+                                 (room.height - 2 * axis_px - caption_px) / flow::search_px);
     if (cell_px < 3) return;
-    const cv::Rect area(room.x + axis_px + 4, room.y + axis_px, cell_px * search_px, cell_px * search_px);
+    const cv::Rect area(room.x + axis_px + 4, room.y + axis_px, cell_px * flow::search_px,
+                        cell_px * flow::search_px);
     write_text(panel, {room.x + axis_px, room.y + 12}, "SAD surface", ink, text_scale);
     cv::Mat heat;
     cv::resize(heat_map(window), heat, area.size(), 0, 0, cv::INTER_NEAREST);
     heat.copyTo(panel(area));
     draw_axes(panel, area, cell_px);
-    if (window.match.second != no_cost)
+    if (window.match.second != flow::no_cost)
         mark_cell(panel, area, cell_px, window.second.x(), window.second.y(), orange);
     mark_cell(panel, area, cell_px, window.match.mu, window.match.nu, paper);
     int y = area.y + area.height + axis_px + 12;
@@ -106,13 +107,14 @@ void draw_surface(cv::Mat& panel, const SadWindow& window, const cv::Rect& room)
         y += small_line_px;
     };
     line("minimum (white)  " + per_pixel(window.match.minimum));
-    line("second (orange)  " + (window.match.second == no_cost ? "none" : per_pixel(window.match.second)));
+    line("second (orange)  " +
+         (window.match.second == flow::no_cost ? "none" : per_pixel(window.match.second)));
     const auto at = [](int u, int v) { return '(' + std::to_string(u) + ", " + std::to_string(v) + ") px"; };
     line("window at " + at(window.bias_px.x(), window.bias_px.y()));
     line("minimum in it at " + at(window.match.mu, window.match.nu));
     line("dark: good match; grey: outside image");
-    line("exposure: gain " + fixed_text(window.brightness.gain, 3) + ", offset " +
-         fixed_text(window.brightness.offset, 1));
+    line("exposure: gain " + cli::fixed_text(window.brightness.gain, 3) + ", offset " +
+         cli::fixed_text(window.brightness.offset, 1));
 }
 
 }  // namespace
@@ -121,16 +123,16 @@ std::vector<std::string> block_lines(const Frame& frame, std::size_t index) {
     const pipeline::BlockRecord& block = frame.step.blocks[index];
     const FlowVector& vector = block.vector;
     return {
-        "block " + std::to_string(index) + ": " + to_string(block.fate),
+        "block " + std::to_string(index) + ": " + to_string(block.label),
         "centre " + pair_text(vector.at_px, 1) + " px in the reference",
         "flow " + pair_text(vector.flow_px, 2) + " px",
         "sigma " + pair_text(vector.sigma_px, 2) + " px",
         "predicted " + pair_text(block.predicted_px, 2) + " px",
-        "confidence " + fixed_text(vector.confidence, 3) + (vector.valid ? "" : ", not valid"),
+        "confidence " + cli::fixed_text(vector.confidence, 3) + (vector.valid ? "" : ", not valid"),
         "measured in " + measured_in(block),
         "ground window " + std::string(block.in_ground_window ? "yes" : "no"),
-        "excess (13) " + fixed_text(block.excess_px, 2) + " px",
-        "omega (4) " + fixed_text(block.omega_rad * deg, 3) + " deg",
+        "excess (13) " + cli::fixed_text(block.excess_px, 2) + " px",
+        "omega (4) " + cli::fixed_text(block.omega_rad * deg, 3) + " deg",
         "ray at " + pair_text(block.ray.at, 4),
         "ray flow " + pair_text(block.ray.flow, 5),
         "ray sigma " + pair_text(block.ray.sigma, 5),
@@ -149,7 +151,7 @@ cv::Mat block_panel(const Frame& frame, std::optional<std::size_t> block,
     int text_px = 0;
     for (const std::string& line : lines) text_px = std::max(text_px, text_width(line, small));
     text_px = std::min(text_px + margin_px, size.width * 55 / 100);
-    const FateStyle* style = style_of(frame.step.blocks[*block].fate);
+    const report::LabelStyle* style = report::style_of(frame.step.blocks[*block].label);
     int y = 16;
     for (const std::string& line : lines) {
         const bool title = y == 16;

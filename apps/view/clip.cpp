@@ -41,7 +41,7 @@ bool Clip::add_next(ViewModel& model, const Look& look) {
 void save_picture(const std::filesystem::path& file, const cv::Mat& picture) {
     std::vector<std::uint8_t> bytes;
     cv::imencode(".png", picture, bytes);
-    write_file(file, std::string(bytes.begin(), bytes.end()));
+    io::write_file(file, std::string(bytes.begin(), bytes.end()));
 }
 
 }  // namespace flownav::view

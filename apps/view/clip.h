@@ -24,7 +24,7 @@ class Clip {
     const std::filesystem::path& file() const { return file_.path(); }
 
   private:
-    VideoOutputFile file_;
+    io::VideoOutputFile file_;
     cv::Size size_;
     std::size_t next_ = 0;
     std::size_t last_ = 0;

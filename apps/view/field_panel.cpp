@@ -4,11 +4,11 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "blind_cone.h"
 #include "flownav/cli/number_text.h"
 #include "flownav/core/plane_geometry.h"
 #include "flownav/flow/kernel.h"
 #include "flownav/report/field_drawing.h"
+#include "focus_exclusion.h"
 #include "ink.h"
 
 namespace flownav::view {
@@ -31,7 +31,7 @@ CameraModel camera_in_use(const Frame& frame) {
     return camera;
 }
 
-void draw_ground_window(cv::Mat& picture, const CameraModel& camera, const FieldScale& scale) {
+void draw_ground_window(cv::Mat& picture, const CameraModel& camera, const report::FieldScale& scale) {
     // The limits of in_ground_window().
     const cv::Point top_left = scale.at({camera.width_px / 6.0, camera.height_px * 2.0 / 3.0});
     const cv::Point bottom_right = scale.at({camera.width_px * 5.0 / 6.0, camera.height_px - 1.0});
@@ -42,9 +42,9 @@ void draw_ground_window(cv::Mat& picture, const CameraModel& camera, const Field
     dashed_line(picture, top_right, bottom_right, sky_blue);
 }
 
-void draw_blind_cone(cv::Mat& picture, const Frame& frame, double blind_cone) {
+void draw_focus_exclusion(cv::Mat& picture, const Frame& frame, double focus_exclusion) {
     const RayMapper mapper(camera_in_use(frame));
-    cv::Mat mask = blind_cone_mask(mapper, blind_cone, cone_cell_px);
+    cv::Mat mask = focus_exclusion_mask(mapper, focus_exclusion, cone_cell_px);
     cv::resize(mask, mask, picture.size(), 0, 0, cv::INTER_LINEAR);
     mask = mask > 127;
     std::vector<std::vector<cv::Point>> outlines;
@@ -53,18 +53,18 @@ void draw_blind_cone(cv::Mat& picture, const Frame& frame, double blind_cone) {
 }
 
 /// A small cross where the prediction expected the end of the vector.
-void draw_predictions(cv::Mat& picture, const pipeline::Step& step, const FieldScale& scale) {
+void draw_predictions(cv::Mat& picture, const pipeline::Step& step, const report::FieldScale& scale) {
     for (const auto& block : step.blocks) {
-        if (step.image_of_cycle == 0 || block.fate == BlockFate::Unplaced) continue;
+        if (step.image_of_cycle == 0 || block.label == BlockLabel::Unplaced) continue;
         const cv::Point from = scale.at(block.vector.at_px);
         const cv::Point to = scale.at(block.vector.at_px + block.predicted_px);
-        if (block.fate != BlockFate::Sifted) cv::line(picture, from, to, paper, 1, cv::LINE_AA);
+        if (block.label != BlockLabel::Sifted) cv::line(picture, from, to, paper, 1, cv::LINE_AA);
         cv::drawMarker(picture, to, paper, cv::MARKER_TILTED_CROSS, 5, 1, cv::LINE_AA);
     }
 }
 
-void point_out(cv::Mat& picture, const pipeline::BlockRecord& block, const FieldScale& scale) {
-    const Eigen::Vector2d half(block_px / 2.0, block_px / 2.0);
+void point_out(cv::Mat& picture, const pipeline::BlockRecord& block, const report::FieldScale& scale) {
+    const Eigen::Vector2d half(flow::block_px / 2.0, flow::block_px / 2.0);
     const Eigen::Vector2d from = block.vector.at_px;
     const Eigen::Vector2d now = block.vector.valid ? Eigen::Vector2d(from + block.vector.flow_px) : from;
     cv::rectangle(picture, scale.at(from - half), scale.at(from + half), paper, 1, cv::LINE_AA);
@@ -72,20 +72,22 @@ void point_out(cv::Mat& picture, const pipeline::BlockRecord& block, const Field
     cv::rectangle(picture, scale.at(now - half), scale.at(now + half), yellow, 2, cv::LINE_AA);
 }
 
-int count_of(const pipeline::Step& step, BlockFate fate) {
-    return static_cast<int>(std::count_if(step.blocks.begin(), step.blocks.end(),
-                                          [fate](const auto& block) { return is_drawn(block, fate); }));
+int count_of(const pipeline::Step& step, BlockLabel label) {
+    return static_cast<int>(std::count_if(step.blocks.begin(), step.blocks.end(), [label](const auto& block) {
+        return report::is_drawn(block, label);
+    }));
 }
 
 std::string state_text(const Frame& frame) {
     const pipeline::Step& step = frame.step;
     std::string text = std::string("status ") + to_string(step.status);
     if (step.status == FieldStatus::Ok) {
-        text += "    turn " + fixed_text(step.omega_radps * deg, 2) + " deg/s    pitch rate " +
-                fixed_text(step.pitch_rate_radps * deg, 2) + " deg/s";
+        text += "    turn " + cli::fixed_text(step.omega_radps * deg, 2) + " deg/s    pitch rate " +
+                cli::fixed_text(step.pitch_rate_radps * deg, 2) + " deg/s";
     }
     if (step.status != FieldStatus::Waiting) {
-        text += "    speed " + fixed_text(step.v_mps, 3) + " m/s" + (step.v_measured ? " (measured)" : "");
+        text +=
+            "    speed " + cli::fixed_text(step.v_mps, 3) + " m/s" + (step.v_measured ? " (measured)" : "");
     }
     return text + "    image " + std::to_string(step.image_of_cycle) + " of " +
            std::to_string(step.cycle_images);
@@ -96,14 +98,15 @@ void draw_legend(cv::Mat& panel, const FieldPanelContent& content, int top_px) {
     const int width_px = panel.cols - 2 * margin_px;
     write_text(panel, {margin_px, top_px + 15}, fitted(state_text(content.frame), width_px));
     LegendRow row(panel, {margin_px, top_px + line_px + 2, width_px, line_px});
-    const auto& styles = fate_styles();
+    const auto& styles = report::label_styles();
     for (auto style = styles.rbegin(); style != styles.rend(); ++style) {
-        row.add(std::string(style->label) + ' ' + std::to_string(count_of(step, style->fate)), style->colour);
+        row.add(std::string(style->name) + ' ' + std::to_string(count_of(step, style->label)), style->colour);
     }
     LegendRow more(panel, {margin_px, row.bottom(), width_px, line_px});
     if (content.predictions) more.add("flow predicted for floor (x)", grey, LegendRow::Mark::Line);
     more.add("ground window: tells the speed", sky_blue, LegendRow::Mark::Dash);
-    more.add("blind cone, |e| < " + fixed_text(content.flow.blind_cone, 2) + ": hardly any flow, no blocks",
+    more.add("blind cone, |e| < " + cli::fixed_text(content.flow.focus_exclusion, 2) +
+                 ": hardly any flow, no blocks",
              cone_colour, LegendRow::Mark::Line);
 }
 
@@ -115,12 +118,12 @@ std::optional<Eigen::Vector2d> FieldPlace::field_px(const cv::Point& at) const {
 }
 
 cv::Point FieldPlace::panel_px(const Eigen::Vector2d& field_px) const {
-    return area.tl() + FieldScale{zoom_x, zoom_y}.at(field_px);
+    return area.tl() + report::FieldScale{zoom_x, zoom_y}.at(field_px);
 }
 
 FieldPlace field_place(const Field& field, const cv::Size& panel) {
     FieldPlace place;
-    const double aspect = pixel_aspect(field);
+    const double aspect = report::pixel_aspect(field);
     const double room_y = std::max(16, panel.height - legend_px(panel.width));
     const double zoom =
         std::min(panel.width / (1.0 * field.image.width_px), room_y / (aspect * field.image.height_px));
@@ -137,13 +140,15 @@ cv::Mat field_panel(const FieldPanelContent& content, const cv::Size& size) {
     const Frame& frame = content.frame;
     if (frame.field.image.empty()) return panel;
     const FieldPlace place = field_place(frame.field, size);
-    const FieldScale scale{place.zoom_x, place.zoom_y};
-    cv::Mat picture = scaled_field(frame.field, scale);
-    for (const FateStyle& style : fate_styles()) tint_blocks(picture, frame.step, scale, style);
+    const report::FieldScale scale{place.zoom_x, place.zoom_y};
+    cv::Mat picture = report::scaled_field(frame.field, scale);
+    for (const report::LabelStyle& style : report::label_styles())
+        report::tint_blocks(picture, frame.step, scale, style);
     if (content.predictions) draw_predictions(picture, frame.step, scale);
-    for (const FateStyle& style : fate_styles()) draw_vectors(picture, frame.step, scale, style);
+    for (const report::LabelStyle& style : report::label_styles())
+        report::draw_vectors(picture, frame.step, scale, style);
     draw_ground_window(picture, frame.field.camera, scale);
-    draw_blind_cone(picture, frame, content.flow.blind_cone);
+    draw_focus_exclusion(picture, frame, content.flow.focus_exclusion);
     if (content.hovered) point_out(picture, frame.step.blocks[*content.hovered], scale);
     if (frame.preview) write_label(picture, {10, 22}, "preview: of the last second only", vermilion);
     const cv::Rect area = place.area & cv::Rect({0, 0}, size);

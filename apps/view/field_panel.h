@@ -10,7 +10,7 @@ namespace flownav::view {
 /// What of a field is drawn.
 struct FieldPanelContent {
     const Frame& frame;
-    FlowParams flow;
+    flow::FlowParams flow;
     std::optional<std::size_t> hovered;  ///< block to point out
     bool predictions = true;
 };
@@ -29,7 +29,7 @@ struct FieldPlace {
 /// The largest place for the field, in its true shape, above the legend.
 FieldPlace field_place(const Field& field, const cv::Size& panel);
 
-/// The field (8-bit BGR, `size`): blocks coloured by their fate where they are now, vectors as arrows, what
+/// The field (8-bit BGR, `size`): blocks coloured by their label where they are now, vectors as arrows, what
 /// the prediction expected as crosses, the ground window, the blind cone; with legend and counts below.
 cv::Mat field_panel(const FieldPanelContent& content, const cv::Size& size);
 

@@ -48,7 +48,7 @@ void draw_grid(cv::Mat& picture, const Projection& p) {
     }
     for (int i = -lines; i <= lines; ++i) {
         const cv::Point cross = p.at({i * step_m, i * step_m});
-        const std::string text = fixed_text(i * step_m, decimals);
+        const std::string text = cli::fixed_text(i * step_m, decimals);
         if (cross.y > 20 && cross.y < p.size.height - 6)
             write_text(picture, {4, cross.y - 3}, text + " m", grey, 0.4);
         if (i != 0 && cross.x > 60 && cross.x < picture.cols - 34)
@@ -134,8 +134,8 @@ void draw_way(cv::Mat& picture, const std::vector<cv::Point>& way, const cv::Sca
 }
 
 /// The way of another track up to now, laid over the flow's so that both start alike.
-void draw_track(cv::Mat& picture, const Projection& p, const MapPanelContent& content, const PoseTrack& track,
-                const cv::Scalar& colour, int width) {
+void draw_track(cv::Mat& picture, const Projection& p, const MapPanelContent& content,
+                const evaluation::PoseTrack& track, const cv::Scalar& colour, int width) {
     if (track.empty() || content.timeline.rows.empty()) return;
     const auto first = track.ground_at(content.timeline.rows.front().timestamp_s);
     if (!first) return;

@@ -14,7 +14,7 @@ int open_window(ViewModel& model, const ViewCommand& command, std::ostream& out,
     } catch (const std::exception& exception) {
         error << "flownav-view: no window can be opened here (" << exception.what()
               << "); use --screenshot, or set DISPLAY\n";
-        return static_cast<int>(ExitStatus::Usage);
+        return static_cast<int>(replay::ExitStatus::Usage);
     }
     window->run();
     window = nullptr;

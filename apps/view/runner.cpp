@@ -13,16 +13,16 @@ std::size_t Checkpoint::bytes() const {
     return inflater_bytes + 2 * image_bytes + block_bytes * frame.step.blocks.size();
 }
 
-Runner::Runner(const std::filesystem::path& file, const Config& config)
-    : reader_(std::make_unique<RawlogReader>(file)), state_(make_state(config)) {
+Runner::Runner(const std::filesystem::path& file, const config::Config& config)
+    : reader_(std::make_unique<io::RawlogReader>(file)), state_(config::make_state(config)) {
     source_.emplace(*reader_, config.camera);
 }
 
-std::optional<ReplayEvent> Runner::next_event() {
+std::optional<io::ReplayEvent> Runner::next_event() {
     if (!stop_reason_.empty()) return std::nullopt;
     try {
         return source_->next();
-    } catch (const ConfigError& error) {
+    } catch (const config::ConfigError& error) {
         if (next_index_ == 0) throw;
         stop_reason_ = error.what();
         return std::nullopt;
@@ -32,7 +32,7 @@ std::optional<ReplayEvent> Runner::next_event() {
 bool Runner::advance() {
     poses_.clear();
     while (const auto event = next_event()) {
-        if (const auto* sample = std::get_if<PoseSample>(&*event)) {
+        if (const auto* sample = std::get_if<io::PoseSample>(&*event)) {
             poses_.push_back(*sample);
         } else if (const auto* field = std::get_if<Field>(&*event)) {
             take(*field);
@@ -44,7 +44,7 @@ bool Runner::advance() {
 
 void Runner::take(const Field& field) {
     // The last field becomes the reference of this one when its step said so.
-    if (next_index_ > 0 && row_of(frame_.step).starts_reference) frame_.reference = frame_.field;
+    if (next_index_ > 0 && evaluation::row_of(frame_.step).starts_reference) frame_.reference = frame_.field;
     frame_.field = field;
     frame_.index = next_index_++;
     frame_.preview = false;
@@ -73,15 +73,15 @@ void Runner::resume(const Checkpoint& checkpoint) {
     stop_reason_.clear();
 }
 
-void Runner::resume_afresh(const Checkpoint& checkpoint, const Config& config) {
+void Runner::resume_afresh(const Checkpoint& checkpoint, const config::Config& config) {
     resume(checkpoint);
-    state_ = make_state(config);
+    state_ = config::make_state(config);
     frame_.reference.reset();
     frame_.last_cycle.reset();
 }
 
 void Runner::retry() {
-    FieldSource before = *source_;
+    io::FieldSource before = *source_;
     reader_->go_to(*reader_->mark());
     source_.emplace(*reader_, before);
 }

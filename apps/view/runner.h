@@ -15,8 +15,8 @@ namespace flownav::view {
 /// Where a Runner stood between two fields. Never changes; threads may share it.
 struct Checkpoint {
     std::size_t next_index = 0;  ///< of the field that comes next
-    std::shared_ptr<const RawlogReader::Mark> place;
-    FieldSource source;
+    std::shared_ptr<const io::RawlogReader::Mark> place;
+    io::FieldSource source;
     pipeline::State state;
     Frame frame;
 
@@ -28,7 +28,7 @@ struct Checkpoint {
 class Runner {
   public:
     /// Throws InputError.
-    Runner(const std::filesystem::path& file, const Config& config);
+    Runner(const std::filesystem::path& file, const config::Config& config);
 
     /// Processes the next field; false at the end of what can be read. Throws ConfigError when the first
     /// images cannot be used; later ones end the drive, see stop_reason().
@@ -38,7 +38,7 @@ class Runner {
     std::size_t next_index() const { return next_index_; }
 
     /// Odometry and ground truth read by the last advance(), in front of its field.
-    const std::vector<PoseSample>& poses() const { return poses_; }
+    const std::vector<io::PoseSample>& poses() const { return poses_; }
 
     std::shared_ptr<const Checkpoint> checkpoint() const;
 
@@ -46,26 +46,26 @@ class Runner {
     void resume(const Checkpoint& checkpoint);
 
     /// Goes on from there with another pipeline, which knows nothing yet.
-    void resume_afresh(const Checkpoint& checkpoint, const Config& config);
+    void resume_afresh(const Checkpoint& checkpoint, const config::Config& config);
 
     /// At the end of a file that may have grown: tries again.
     void retry();
 
-    const ReadEnd& end() const { return reader_->end(); }
+    const io::ReadEnd& end() const { return reader_->end(); }
     const std::string& stop_reason() const { return stop_reason_; }
-    const InputCounts& counts() const { return source_->counts(); }
+    const io::InputCounts& counts() const { return source_->counts(); }
     double progress() const { return reader_->progress(); }
 
   private:
-    std::optional<ReplayEvent> next_event();
+    std::optional<io::ReplayEvent> next_event();
     void take(const Field& field);
 
-    std::unique_ptr<RawlogReader> reader_;
-    std::optional<FieldSource> source_;
+    std::unique_ptr<io::RawlogReader> reader_;
+    std::optional<io::FieldSource> source_;
     pipeline::State state_;
     Frame frame_;
     std::size_t next_index_ = 0;
-    std::vector<PoseSample> poses_;
+    std::vector<io::PoseSample> poses_;
     std::string stop_reason_;
 };
 

@@ -13,7 +13,7 @@ struct SliderKey {
     double low = 0.0;   ///< of the slider; the configuration may allow more
     double high = 1.0;
     double step = 0.01;
-    double (*value)(const Config&) = nullptr;
+    double (*value)(const config::Config&) = nullptr;
 };
 
 const std::vector<SliderKey>& slider_keys();
@@ -22,6 +22,6 @@ const std::vector<SliderKey>& slider_keys();
 std::string slider_text(const SliderKey& key, double share);
 
 /// Where a slider stands, 0..1.
-double slider_share(const SliderKey& key, const Config& config);
+double slider_share(const SliderKey& key, const config::Config& config);
 
 }  // namespace flownav::view

@@ -13,7 +13,7 @@ Json json_of(const Eigen::Vector2d& v) {
 }
 
 Json json_of(const pipeline::BlockRecord& block, const std::optional<SadWindow>& window) {
-    Json json = {{"fate", to_string(block.fate)},
+    Json json = {{"fate", to_string(block.label)},
                  {"at_px", json_of(block.vector.at_px)},
                  {"flow_px", json_of(block.vector.flow_px)},
                  {"predicted_px", json_of(block.predicted_px)},
@@ -29,10 +29,10 @@ Json json_of(const pipeline::BlockRecord& block, const std::optional<SadWindow>&
     return json;
 }
 
-Json json_of(const Config& config) {
+Json json_of(const config::Config& config) {
     return {{"confidence_min", config.pipeline.flow.confidence_min},
             {"blocks", config.pipeline.flow.blocks},
-            {"blind_cone", config.pipeline.flow.blind_cone},
+            {"blind_cone", config.pipeline.flow.focus_exclusion},
             {"tau_px", config.pipeline.obstacles.tau_px},
             {"lambda_px", config.pipeline.obstacles.lambda_px},
             {"neighbours", config.pipeline.obstacles.neighbours},

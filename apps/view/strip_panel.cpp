@@ -24,26 +24,26 @@ constexpr double deg = 180.0 / M_PI;
 struct Curve {
     const char* label;
     cv::Scalar colour;
-    std::function<std::optional<double>(const FieldRow&)> value;
+    std::function<std::optional<double>(const evaluation::FieldRow&)> value;
     bool from_zero;
 };
 
 const std::array<Curve, 3>& curves() {
     static const std::array<Curve, 3> all = {{{"turn deg/s", vermilion,
-                                               [](const FieldRow& row) -> std::optional<double> {
+                                               [](const evaluation::FieldRow& row) -> std::optional<double> {
                                                    if (row.status != FieldStatus::Ok) return std::nullopt;
                                                    return row.omega_radps * deg;
                                                },
                                                false},
                                               {"speed m/s", blue,
-                                               [](const FieldRow& row) -> std::optional<double> {
+                                               [](const evaluation::FieldRow& row) -> std::optional<double> {
                                                    if (row.status == FieldStatus::Waiting)
                                                        return std::nullopt;
                                                    return row.v_mps;
                                                },
                                                true},
                                               {"obstacle pts", orange,
-                                               [](const FieldRow& row) -> std::optional<double> {
+                                               [](const evaluation::FieldRow& row) -> std::optional<double> {
                                                    if (!row.end_of_cycle) return std::nullopt;
                                                    return row.obstacles;
                                                },
@@ -81,7 +81,7 @@ struct Span {
 Span range_of(const Timeline& timeline, const Curve& curve) {
     Span range;
     if (curve.from_zero) range.add(0.0);
-    for (const FieldRow& row : timeline.rows) {
+    for (const evaluation::FieldRow& row : timeline.rows) {
         if (const auto value = curve.value(row)) range.add(*value);
     }
     if (!range.any) range.add(0.0);
@@ -116,7 +116,7 @@ void draw_curve(cv::Mat& panel, const cv::Rect& area, const StripPanelContent& c
     }
     const int decimals = range.high - range.low < 3.0 ? 2 : range.high - range.low < 30.0 ? 1 : 0;
     const auto tick = [&](double value, int y) {
-        const std::string text = fixed_text(value, decimals);
+        const std::string text = cli::fixed_text(value, decimals);
         write_text(panel, {left_px - 6 - text_width(text, 0.38), y}, text, grey, 0.38);
     };
     tick(range.high, area.y + 9);
@@ -152,7 +152,7 @@ void draw_axis(cv::Mat& panel, const Timeline& timeline, int top, int bottom) {
     for (int i = 0; i * step_s <= duration_s(timeline) + 1e-9; ++i) {
         const int column = strip_column(timeline, i * step_s, panel.cols);
         cv::line(panel, {column, top}, {column, bottom + 3}, faint);
-        const std::string text = fixed_text(i * step_s, decimals) + (i == 0 ? " s" : "");
+        const std::string text = cli::fixed_text(i * step_s, decimals) + (i == 0 ? " s" : "");
         write_text(panel, {std::min(column - 4, panel.cols - text_width(text, 0.4) - 2), bottom + 16}, text,
                    grey, 0.4);
     }

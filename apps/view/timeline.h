@@ -18,14 +18,14 @@ struct MapPoint {
 
 /// The little that is kept of every field of a drive.
 struct Timeline {
-    std::vector<FieldRow> rows;            ///< by index
-    std::size_t current = 0;               ///< rows before this index are of the present parameters
-    std::vector<MapPoint> points;          ///< of the present parameters, by rising index
-    std::vector<MapPoint> earlier_points;  ///< of earlier parameters: those from `current` on count
-    PoseTrack odometry;
-    PoseTrack ground_truth;
+    std::vector<evaluation::FieldRow> rows;  ///< by index
+    std::size_t current = 0;                 ///< rows before this index are of the present parameters
+    std::vector<MapPoint> points;            ///< of the present parameters, by rising index
+    std::vector<MapPoint> earlier_points;    ///< of earlier parameters: those from `current` on count
+    evaluation::PoseTrack odometry;
+    evaluation::PoseTrack ground_truth;
     bool complete = false;    ///< all that can be read has been read
-    ReadEnd end;              ///< when complete
+    io::ReadEnd end;          ///< when complete
     std::string stop_reason;  ///< why reading stopped before the end; empty when it did not
     double progress = 0.0;    ///< share of the file that has been read, 0..1
 

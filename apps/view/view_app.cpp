@@ -8,14 +8,14 @@
 #include "flownav/core/version.h"
 #include "flownav/io/output_file.h"
 #include "flownav/replay/replay.h"
-#include "live_spool.h"
+#include "live_recorder.h"
 #include "state_json.h"
 
 namespace flownav::view {
 
 namespace {
 
-constexpr int usage_status = static_cast<int>(ExitStatus::Usage);
+constexpr int usage_status = static_cast<int>(replay::ExitStatus::Usage);
 constexpr double strip_after_s = 60.0;  // of the drive, beyond a screenshot
 
 constexpr auto help = R"(Looks at a rawlog through the optic-flow sensor: why it saw, or missed, something.
@@ -60,38 +60,38 @@ std::pair<double, double> two_numbers(const std::string& option, const std::stri
         if (first == at && second == text.size() - at - 1) return {a, b};
     } catch (const std::logic_error&) {  // falls through to the message
     }
-    throw ConfigError(option + ' ' + text + ": needs the form A" + separator + 'B');
+    throw config::ConfigError(option + ' ' + text + ": needs the form A" + separator + 'B');
 }
 
 cv::Size size_of(const std::string& text) {
     const auto [width, height] = two_numbers("--size", text, 'x');
     constexpr double most = 8192;
     if (!(width >= least_width_px && width <= most && height >= least_height_px && height <= most)) {
-        throw ConfigError("--size " + text + ": must be 640x480 to 8192x8192");
+        throw config::ConfigError("--size " + text + ": must be 640x480 to 8192x8192");
     }
     return {static_cast<int>(width), static_cast<int>(height)};
 }
 
 /// Throws ConfigError: none, several, an unknown option, or nothing that can be read.
 std::string only_input(const std::vector<std::string>& inputs) {
-    if (inputs.empty()) throw ConfigError("needs FILE.rawlog; try flownav-view --help");
+    if (inputs.empty()) throw config::ConfigError("needs FILE.rawlog; try flownav-view --help");
     for (const std::string& input : inputs) {
         if (input.rfind('-', 0) == 0) {
-            throw ConfigError("unknown argument " + input + "; try flownav-view --help");
+            throw config::ConfigError("unknown argument " + input + "; try flownav-view --help");
         }
     }
-    if (inputs.size() > 1) throw ConfigError("shows one rawlog at a time, not also " + inputs[1]);
+    if (inputs.size() > 1) throw config::ConfigError("shows one rawlog at a time, not also " + inputs[1]);
     std::error_code problem;
-    if (!std::filesystem::exists(inputs[0], problem)) throw ConfigError(inputs[0] + ": no such file");
+    if (!std::filesystem::exists(inputs[0], problem)) throw config::ConfigError(inputs[0] + ": no such file");
     if (std::filesystem::is_directory(inputs[0], problem))
-        throw ConfigError(inputs[0] + ": is a folder, not a rawlog");
+        throw config::ConfigError(inputs[0] + ": is a folder, not a rawlog");
     return inputs[0];
 }
 
 std::optional<ViewCommand> parse(const std::vector<std::string>& arguments, std::ostream& out,
                                  std::ostream& error) {
     TCLAP::CmdLine command("", ' ', version());
-    CommandOutput output(command, "flownav-view", help, out, error);
+    cli::CommandOutput output(command, "flownav-view", help, out, error);
     TCLAP::UnlabeledMultiArg<std::string> inputs("input", "", false, "FILE.rawlog", command);
     TCLAP::ValueArg<std::string> file("", "config", "", false, "", "FILE.ini", command);
     TCLAP::MultiArg<std::string> settings("", "set", "", false, "section.key=value", command);
@@ -106,18 +106,18 @@ std::optional<ViewCommand> parse(const std::vector<std::string>& arguments, std:
     argv.reserve(arguments.size());
     for (const std::string& argument : arguments) argv.push_back(argument.c_str());
     if (!command.parse(static_cast<int>(argv.size()), argv.data())) {
-        if (output.failed()) throw ConfigError("");
+        if (output.failed()) throw config::ConfigError("");
         return std::nullopt;
     }
     if (live.isSet() &&
         (!inputs.getValue().empty() || file.isSet() || settings.isSet() || screenshot.isSet())) {
-        throw ConfigError(
+        throw config::ConfigError(
             "--live takes all from its own ini: no FILE.rawlog, --config, --set or --screenshot");
     }
     const std::string input = live.isSet() ? "" : only_input(inputs.getValue());
     ViewCommand result;
     result.options.input = input;
-    result.options.config = configuration(file.getValue(), settings.getValue());
+    result.options.config = cli::configuration(file.getValue(), settings.getValue());
     result.options.follow = follow.getValue() || live.isSet();
     result.live = live.getValue();
     result.size = size_of(size.getValue());
@@ -136,7 +136,7 @@ int status_of(const ViewModel& model, std::ostream& error) {
     const std::string end = model.timeline().end_text();
     if (end.empty()) return 0;
     error << "flownav-view: " << end << '\n';
-    return static_cast<int>(ExitStatus::Input);
+    return static_cast<int>(replay::ExitStatus::Input);
 }
 
 /// Reads up to the moment, and somewhat further for the chart.
@@ -152,7 +152,7 @@ void read_until(ViewModel& model, double time_s) {
 
 int save_screenshot(const ViewCommand& command, std::ostream& out, std::ostream& error) {
     ViewOptions options = command.options;
-    options.way = Scout::Way::Asked;
+    options.way = BackgroundReader::Way::Asked;
     options.follow = false;
     ViewModel model(options);
     read_until(model, command.at_s + strip_after_s);
@@ -172,7 +172,7 @@ int look(const ViewCommand& command, const OpenWindow& open_window, std::ostream
 
 /// The window outlives the source: what came is still there to be looked at.
 int look_live(ViewCommand command, const OpenWindow& open_window, std::ostream& out, std::ostream& error) {
-    const LiveSpool spool(command.live);
+    const LiveRecorder spool(command.live);
     command.options.input = spool.file();
     command.options.config = spool.config();
     command.options.name = spool.source();
@@ -194,15 +194,15 @@ int run_view_app(const std::vector<std::string>& arguments, const OpenWindow& op
         if (!command->screenshot.empty()) return save_screenshot(*command, out, error);
         if (!command->live.empty()) return look_live(*command, open_window, out, error);
         return look(*command, open_window, out, error);
-    } catch (const ConfigError& exception) {
+    } catch (const config::ConfigError& exception) {
         say(exception);
         return usage_status;
-    } catch (const InputError& exception) {
+    } catch (const io::InputError& exception) {
         say(exception);
-        return static_cast<int>(ExitStatus::Input);
-    } catch (const OutputError& exception) {
+        return static_cast<int>(replay::ExitStatus::Input);
+    } catch (const io::OutputError& exception) {
         say(exception);
-        return static_cast<int>(ExitStatus::Output);
+        return static_cast<int>(replay::ExitStatus::Output);
     }
 }
 

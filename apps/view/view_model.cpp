@@ -8,11 +8,11 @@ namespace flownav::view {
 namespace {
 
 constexpr double preview_s = 1.0;  // so much of the drive is recomputed for a preview
-constexpr double half_block_px = block_px / 2.0;
+constexpr double half_block_px = flow::block_px / 2.0;
 
 /// Where a block is drawn.
 Eigen::Vector2d shown_px(const pipeline::BlockRecord& block) {
-    const bool moved = block.vector.valid && block.fate != BlockFate::Sifted;
+    const bool moved = block.vector.valid && block.label != BlockLabel::Sifted;
     return moved ? block.vector.at_px + block.vector.flow_px : block.vector.at_px;
 }
 
@@ -39,24 +39,26 @@ ViewModel::ViewModel(const ViewOptions& options)
 void ViewModel::require_field() {
     if (runner_.advance()) return;
     counts_ = runner_.counts();
-    if (runner_.end().kind != ReadEnd::Kind::Clean) throw InputError(runner_.end().message);
-    throw ConfigError(why_no_field(counts_, options_.input.string(), config_.camera.camera_label));
+    if (runner_.end().kind != io::ReadEnd::Kind::Clean) throw io::InputError(runner_.end().message);
+    throw config::ConfigError(
+        io::why_no_field(counts_, options_.input.string(), config_.camera.camera_label));
 }
 
 void ViewModel::restart_scout() {
-    scout_.reset();  // one at a time
-    scout_ = std::make_unique<Scout>(options_.input, config_, options_.way, options_.follow);
-    scout_->set_stride(checkpoints_.stride());
+    background_reader_.reset();  // one at a time
+    background_reader_ =
+        std::make_unique<BackgroundReader>(options_.input, config_, options_.way, options_.follow);
+    background_reader_->set_stride(checkpoints_.stride());
 }
 
 bool ViewModel::work(std::size_t fields) {
-    return scout_->work(fields);
+    return background_reader_->work(fields);
 }
 
 bool ViewModel::poll() {
-    const ScoutNews news = scout_->take();
+    const BackgroundNews news = background_reader_->take();
     for (const auto& checkpoint : news.checkpoints) checkpoints_.add(checkpoint);
-    scout_->set_stride(checkpoints_.stride());
+    background_reader_->set_stride(checkpoints_.stride());
     take_poses(news.poses);
     take_rows(news);
     // The end of a file that still grows is no end.
@@ -71,8 +73,8 @@ bool ViewModel::poll() {
     return changed;
 }
 
-void ViewModel::take_rows(const ScoutNews& news) {
-    for (const FieldRow& row : news.rows) {
+void ViewModel::take_rows(const BackgroundNews& news) {
+    for (const evaluation::FieldRow& row : news.rows) {
         if (timeline_.current < timeline_.rows.size()) {
             timeline_.rows[timeline_.current] = row;
         } else {
@@ -83,9 +85,9 @@ void ViewModel::take_rows(const ScoutNews& news) {
     timeline_.points.insert(timeline_.points.end(), news.points.begin(), news.points.end());
 }
 
-void ViewModel::take_poses(const std::vector<PoseSample>& poses) {
-    for (const PoseSample& sample : poses) {
-        const bool truth = sample.source == PoseSample::Source::GroundTruth;
+void ViewModel::take_poses(const std::vector<io::PoseSample>& poses) {
+    for (const io::PoseSample& sample : poses) {
+        const bool truth = sample.source == io::PoseSample::Source::GroundTruth;
         double& last_s = truth ? last_truth_s_ : last_odometry_s_;
         if (sample.timestamp_s <= last_s) continue;  // known from a run with other parameters
         last_s = sample.timestamp_s;
@@ -204,8 +206,8 @@ std::optional<SadWindow> ViewModel::hovered_window() const {
 }
 
 void ViewModel::set(const std::string& key, const std::string& value) {
-    Config changed = config_;
-    set_config_value(changed, key, value);
+    config::Config changed = config_;
+    config::set_config_value(changed, key, value);
     config_ = changed;
     // The checkpoints that reach farther remain as places in the file.
     if (checkpoints_.size() >= earlier_checkpoints_.size()) earlier_checkpoints_ = std::move(checkpoints_);

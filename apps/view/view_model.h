@@ -7,17 +7,17 @@
 #include <string>
 #include <utility>
 
+#include "background_reader.h"
 #include "checkpoints.h"
 #include "sad_window.h"
-#include "scout.h"
 #include "timeline.h"
 
 namespace flownav::view {
 
 struct ViewOptions {
     std::filesystem::path input;
-    Config config;
-    Scout::Way way = Scout::Way::Thread;
+    config::Config config;
+    BackgroundReader::Way way = BackgroundReader::Way::Thread;
     std::string name;                            ///< to show; empty: that of the file
     bool follow = false;                         ///< the rawlog still grows
     std::size_t checkpoint_bytes = 100'000'000;  ///< twice that while parameters change
@@ -58,12 +58,12 @@ class ViewModel {
     std::optional<SadWindow> hovered_window() const;
 
     // Parameters
-    const Config& config() const { return config_; }
+    const config::Config& config() const { return config_; }
     void set(const std::string& key, const std::string& value);  ///< throws ConfigError
 
     const Frame& frame() const { return frame_; }
     const Timeline& timeline() const { return timeline_; }
-    const InputCounts& counts() const { return counts_; }
+    const io::InputCounts& counts() const { return counts_; }
     const std::string& name() const { return name_; }
     bool follows() const { return options_.follow; }
     std::size_t last_index() const { return timeline_.rows.empty() ? 0 : timeline_.rows.size() - 1; }
@@ -84,17 +84,17 @@ class ViewModel {
     void advance_to(std::size_t index);
     void take_frame();
     void find_hovered();
-    void take_rows(const ScoutNews& news);
-    void take_poses(const std::vector<PoseSample>& poses);
+    void take_rows(const BackgroundNews& news);
+    void take_poses(const std::vector<io::PoseSample>& poses);
 
     ViewOptions options_;
-    Config config_;
+    config::Config config_;
     std::string name_;
     Timeline timeline_;
-    InputCounts counts_;
+    io::InputCounts counts_;
     Checkpoints checkpoints_;          ///< of the present parameters
     Checkpoints earlier_checkpoints_;  ///< of other parameters: good for their places in the file
-    std::unique_ptr<Scout> scout_;
+    std::unique_ptr<BackgroundReader> background_reader_;
     Runner runner_;
     std::optional<Pose2> T_start_preview_;  ///< where the runner's preview began; nothing: it is exact
     Frame frame_;

@@ -27,9 +27,9 @@ std::string where_text(const ViewModel& model) {
     std::string text = model.name() + "    field " + std::to_string(frame.index);
     if (!timeline.rows.empty()) {
         text += " of " + std::to_string(timeline.rows.size()) + "    " +
-                fixed_text(frame.step.timestamp_s - timeline.rows.front().timestamp_s, 3) + " s";
+                cli::fixed_text(frame.step.timestamp_s - timeline.rows.front().timestamp_s, 3) + " s";
     }
-    return text + "    time stamp " + time_text(frame.step.timestamp_s);
+    return text + "    time stamp " + cli::time_text(frame.step.timestamp_s);
 }
 
 /// How far the background has come, or how the file ends.
@@ -37,7 +37,7 @@ std::string news_text(const ViewModel& model, const Look& look) {
     if (!look.note.empty()) return look.note;
     if (model.follows() && !model.timeline().complete) return "following";
     if (!model.timeline().complete)
-        return "reading ahead: " + fixed_text(100.0 * model.timeline().progress, 0) + " %";
+        return "reading ahead: " + cli::fixed_text(100.0 * model.timeline().progress, 0) + " %";
     return model.timeline().end_text();
 }
 
@@ -66,7 +66,7 @@ FieldPlace field_place_in(const ViewModel& model, const cv::Size& size) {
 
 }  // namespace
 
-Look look_for(const Config& config) {
+Look look_for(const config::Config& config) {
     Look look;
     look.ahead_m = std::clamp(config.pipeline.obstacles.range_max_m, 1.0, 100.0);
     return look;
@@ -100,7 +100,7 @@ ViewLayout layout_of(const cv::Size& size, bool wide) {
 
 ViewLayout layout_of(const ViewModel& model, const cv::Size& size) {
     const Field& field = model.frame().field;
-    return layout_of(size, field.image.width_px > 2.0 * pixel_aspect(field) * field.image.height_px);
+    return layout_of(size, field.image.width_px > 2.0 * report::pixel_aspect(field) * field.image.height_px);
 }
 
 cv::Mat view_picture(const ViewModel& model, const Look& look, const cv::Size& size) {

@@ -14,7 +14,7 @@ struct Look {
 };
 
 /// With the map as far as points are reported.
-Look look_for(const Config& config);
+Look look_for(const config::Config& config);
 
 /// Where the panels lie in a picture.
 struct ViewLayout {

@@ -90,7 +90,7 @@ void ViewSession::act(Action action) {
 
 void ViewSession::change_speed(double factor) {
     model_.set_speed(std::clamp(model_.speed() * factor, slowest, fastest));
-    look_.note = "speed x " + fixed_text(model_.speed(), model_.speed() < 1.0 ? 3 : 0);
+    look_.note = "speed x " + cli::fixed_text(model_.speed(), model_.speed() < 1.0 ? 3 : 0);
 }
 
 void ViewSession::set_parameter(std::size_t slider, double share) {
@@ -146,7 +146,7 @@ void ViewSession::save_picture_now() {
     try {
         save_picture(file, picture());
         look_.note = "saved " + file;
-    } catch (const OutputError& error) {
+    } catch (const io::OutputError& error) {
         look_.note = error.what();
     }
 }
@@ -156,7 +156,7 @@ void ViewSession::begin_clip() {
     model_.set_playing(false);
     try {
         clip_ = std::make_unique<Clip>(model_, next_file(".mp4"), size_);
-    } catch (const OutputError& error) {
+    } catch (const io::OutputError& error) {
         look_.note = error.what();
     }
 }
@@ -168,7 +168,7 @@ void ViewSession::continue_clip() {
         clip_->close();
         look_.note =
             "saved " + clip_->file().string() + ", " + std::to_string(clip_->pictures()) + " pictures";
-    } catch (const OutputError& error) {
+    } catch (const io::OutputError& error) {
         look_.note = error.what();
     }
     clip_.reset();

@@ -14,7 +14,7 @@ void register_growth();
 void register_replays();
 
 /// Calls `enter` for every kernel of the table that this processor runs.
-void for_each_kernel(const std::function<void(const KernelEntry&)>& enter);
+void for_each_kernel(const std::function<void(const flow::KernelEntry&)>& enter);
 
 /// Names of the kernels of the table, supported or not, with a space between them.
 std::string kernel_names(bool supported);

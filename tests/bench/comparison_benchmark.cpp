@@ -49,7 +49,7 @@ class Errors {
 };
 
 bool in_window(const Vector2d& flow_px) {
-    return flow_px.minCoeff() >= search_min - 0.5 && flow_px.maxCoeff() <= search_max + 0.5;
+    return flow_px.minCoeff() >= flow::search_min - 0.5 && flow_px.maxCoeff() <= flow::search_max + 0.5;
 }
 
 /// Blocks whose true flow is known and lies outside the search window.

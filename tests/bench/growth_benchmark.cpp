@@ -38,21 +38,21 @@ const std::vector<Field>& fields_of(const Size& size) {
                                    : of_width.emplace(size.width_px, rendered(size)).first->second;
 }
 
-BlockLayout layout_of(const Field& field, int blocks) {
-    FlowParams params;
+flow::BlockLayout layout_of(const Field& field, int blocks) {
+    flow::FlowParams params;
     params.blocks = blocks;
-    return place_blocks(RayMapper(field.camera), params);
+    return flow::place_blocks(RayMapper(field.camera), params);
 }
 
 void time_match(benchmark::State& state, Size size, int blocks, int threads) {
     const auto& fields = fields_of(size);
-    const BlockLayout layout = layout_of(fields[0], blocks);
+    const flow::BlockLayout layout = layout_of(fields[0], blocks);
     const std::vector<Eigen::Vector2i> bias_px(layout.size(), Eigen::Vector2i::Zero());
-    MatchSettings settings;
+    flow::MatchSettings settings;
     settings.threads = threads;
     std::vector<FlowVector> vectors;
     while (state.KeepRunning()) {
-        match_blocks(fields[0].image, fields[2].image, layout, bias_px, settings, vectors);
+        flow::match_blocks(fields[0].image, fields[2].image, layout, bias_px, settings, vectors);
         benchmark::DoNotOptimize(vectors.data());
     }
     state.counters["vectors"] = static_cast<double>(layout.size());
@@ -60,17 +60,17 @@ void time_match(benchmark::State& state, Size size, int blocks, int threads) {
 
 /// A window wider than the kernel's: tiles of 16x16 offsets side by side, the smallest minimum of all. Tiles
 /// that would leave the image are clipped or left out, as match_blocks() does.
-BlockMatch best_of_tiles(const KernelEntry& kernel, const ImageView& from, const ImageView& to,
-                         const Eigen::Vector2i& corner, int tiles) {
-    BlockMatch best;
+flow::BlockMatch best_of_tiles(const flow::KernelEntry& kernel, const ImageView& from, const ImageView& to,
+                               const Eigen::Vector2i& corner, int tiles) {
+    flow::BlockMatch best;
     for (int row = 0; row < tiles; ++row) {
         for (int column = 0; column < tiles; ++column) {
-            const Eigen::Vector2i bias_px(search_px * column - search_px * (tiles - 1) / 2,
-                                          search_px * row - search_px * (tiles - 1) / 2);
-            const SearchRange range = clipped_range(corner, bias_px, to);
+            const Eigen::Vector2i bias_px(flow::search_px * column - flow::search_px * (tiles - 1) / 2,
+                                          flow::search_px * row - flow::search_px * (tiles - 1) / 2);
+            const flow::SearchRange range = flow::clipped_range(corner, bias_px, to);
             if (range.empty()) continue;
             const Eigen::Vector2i at = corner + bias_px;
-            const BlockMatch match =
+            const flow::BlockMatch match =
                 kernel.match(from.row(corner.y()) + corner.x(), from.stride_bytes,
                              to.data + at.y() * to.stride_bytes + at.x(), to.stride_bytes, range);
             if (match.minimum < best.minimum) best = match;
@@ -81,18 +81,18 @@ BlockMatch best_of_tiles(const KernelEntry& kernel, const ImageView& from, const
 
 void time_window(benchmark::State& state, int tiles) {
     const auto& fields = fields_of(pal);
-    const BlockLayout layout = layout_of(fields[0], FlowParams().blocks);
-    const KernelEntry& kernel = select_kernel();
+    const flow::BlockLayout layout = layout_of(fields[0], flow::FlowParams().blocks);
+    const flow::KernelEntry& kernel = flow::select_kernel();
     while (state.KeepRunning()) {
         for (const Eigen::Vector2i& corner : layout.corner_px)
             benchmark::DoNotOptimize(best_of_tiles(kernel, fields[0].image, fields[2].image, corner, tiles));
     }
     state.counters["vectors"] = static_cast<double>(layout.size());
-    state.counters["offsets"] = tiles * tiles * static_cast<double>(search_offsets);
+    state.counters["offsets"] = tiles * tiles * static_cast<double>(flow::search_offsets);
 }
 
 void time_step(benchmark::State& state, Size size, int threads) {
-    SteadyChain chain(fields_of(size), select_kernel(), threads);
+    SteadyChain chain(fields_of(size), flow::select_kernel(), threads);
     const auto see = [](const pipeline::Step& step) { benchmark::DoNotOptimize(&step); };
     chain.drive(see);
     while (state.KeepRunning()) state.SetIterationTime(chain.drive(see));
@@ -108,7 +108,7 @@ std::string text(const Size& size) {
 
 void register_growth() {
     using benchmark::RegisterBenchmark;
-    const int usual = FlowParams().blocks;
+    const int usual = flow::FlowParams().blocks;
     for (const int threads : {1, 2}) {
         const std::string suffix = "/threads-" + std::to_string(threads);
         for (const int blocks : {35, 100, 350, 1000, 2000})
@@ -124,8 +124,8 @@ void register_growth() {
         }
     }
     for (const int tiles : {1, 2, 4})
-        RegisterBenchmark(("growth/window/" + std::to_string(tiles * search_px / 2)).c_str(), time_window,
-                          tiles);
+        RegisterBenchmark(("growth/window/" + std::to_string(tiles * flow::search_px / 2)).c_str(),
+                          time_window, tiles);
 }
 
 }  // namespace flownav::bench

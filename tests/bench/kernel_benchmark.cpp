@@ -13,9 +13,9 @@ namespace {
 std::vector<Eigen::Vector2i> whole_blocks(const FlowPair& pair) {
     std::vector<Eigen::Vector2i> blocks;
     for (const Eigen::Vector2i& at : pair.layout.corner_px) {
-        const bool whole = at.x() + search_min >= 0 && at.y() + search_min >= 0 &&
-                           at.x() + search_max + block_px <= pair.newer.width_px &&
-                           at.y() + search_max + block_px <= pair.newer.height_px;
+        const bool whole = at.x() + flow::search_min >= 0 && at.y() + flow::search_min >= 0 &&
+                           at.x() + flow::search_max + flow::block_px <= pair.newer.width_px &&
+                           at.y() + flow::search_max + flow::block_px <= pair.newer.height_px;
         if (whole) blocks.push_back(at);
     }
     const std::size_t n = blocks.size();
@@ -24,7 +24,7 @@ std::vector<Eigen::Vector2i> whole_blocks(const FlowPair& pair) {
 }
 
 /// The kernel alone, over the blocks of a field.
-void time_kernel(benchmark::State& state, const KernelEntry& kernel) {
+void time_kernel(benchmark::State& state, const flow::KernelEntry& kernel) {
     const FlowPair& pair = rendered_case().pairs.front();
     const auto blocks = whole_blocks(pair);
     const ImageView from = pair.reference.view();
@@ -32,7 +32,8 @@ void time_kernel(benchmark::State& state, const KernelEntry& kernel) {
     while (state.KeepRunning()) {
         for (const Eigen::Vector2i& at : blocks)
             benchmark::DoNotOptimize(kernel.match(from.row(at.y()) + at.x(), from.stride_bytes,
-                                                  to.row(at.y()) + at.x(), to.stride_bytes, SearchRange{}));
+                                                  to.row(at.y()) + at.x(), to.stride_bytes,
+                                                  flow::SearchRange{}));
     }
     state.counters["vectors"] = static_cast<double>(blocks.size());
 }
@@ -47,20 +48,20 @@ void time_throughput(benchmark::State& state, const Throughput& limit) {
 
 }  // namespace
 
-void for_each_kernel(const std::function<void(const KernelEntry&)>& enter) {
-    for (const KernelEntry& kernel : kernel_table())
+void for_each_kernel(const std::function<void(const flow::KernelEntry&)>& enter) {
+    for (const flow::KernelEntry& kernel : flow::kernel_table())
         if (kernel.supported()) enter(kernel);
 }
 
 std::string kernel_names(bool supported) {
     std::string names;
-    for (const KernelEntry& kernel : kernel_table())
+    for (const flow::KernelEntry& kernel : flow::kernel_table())
         if (kernel.supported() == supported) names += (names.empty() ? "" : " ") + std::string(kernel.name);
     return names;
 }
 
 void register_kernels() {
-    for_each_kernel([](const KernelEntry& kernel) {
+    for_each_kernel([](const flow::KernelEntry& kernel) {
         benchmark::RegisterBenchmark((std::string("kernel/") + kernel.name).c_str(), time_kernel, kernel);
     });
     for (const Throughput& limit : throughput_table())

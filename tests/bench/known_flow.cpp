@@ -37,7 +37,7 @@ testing::Scene scene_of_fields() {
 
 FlowCase render() {
     const auto scene = std::make_shared<const testing::Scene>(scene_of_fields());
-    const BlockLayout layout = place_blocks(RayMapper(scene->options.camera), FlowParams());
+    const flow::BlockLayout layout = flow::place_blocks(RayMapper(scene->options.camera), flow::FlowParams());
     std::vector<testing::GreyImage> images;
     for (int i = 0; i < rendered_images; ++i)
         images.push_back(testing::render_image(*scene, first_image + i));
@@ -101,18 +101,18 @@ TrueFlow truth_of(const cv::Mat2f& flow) {
 }
 
 /// 350 blocks, evenly over the image but for the margin that the search window takes.
-BlockLayout grid_layout(int width_px, int height_px) {
+flow::BlockLayout grid_layout(int width_px, int height_px) {
     constexpr int columns = 25;
     constexpr int rows = 14;
-    constexpr int margin_px = -search_min;
-    BlockLayout layout;
+    constexpr int margin_px = -flow::search_min;
+    flow::BlockLayout layout;
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < columns; ++column) {
             const Eigen::Vector2i corner(
-                margin_px + column * (width_px - block_px - 2 * margin_px) / (columns - 1),
-                margin_px + row * (height_px - block_px - 2 * margin_px) / (rows - 1));
+                margin_px + column * (width_px - flow::block_px - 2 * margin_px) / (columns - 1),
+                margin_px + row * (height_px - flow::block_px - 2 * margin_px) / (rows - 1));
             layout.corner_px.push_back(corner);
-            layout.centre_px.emplace_back(corner.cast<double>().array() + (block_px - 1) / 2.0);
+            layout.centre_px.emplace_back(corner.cast<double>().array() + (flow::block_px - 1) / 2.0);
             layout.in_ground_window.push_back(0);
         }
     }

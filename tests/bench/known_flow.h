@@ -18,7 +18,7 @@ using TrueFlow = std::function<std::optional<Eigen::Vector2d>(const Eigen::Vecto
 /// Two images of the same size between which the flow is known.
 struct FlowPair {
     testing::GreyImage reference, newer;
-    BlockLayout layout;
+    flow::BlockLayout layout;
     TrueFlow truth;
 };
 

@@ -19,7 +19,7 @@ int run(int argc, char** argv) {
     register_replays();
     benchmark::AddCustomContext("compiler", __VERSION__);
     benchmark::AddCustomContext("opencv", cv::getVersionString());
-    benchmark::AddCustomContext("kernel", flownav::select_kernel().name);
+    benchmark::AddCustomContext("kernel", flownav::flow::select_kernel().name);
     benchmark::AddCustomContext("kernels", kernel_names(true));
     benchmark::AddCustomContext("kernels_unsupported", kernel_names(false));
     benchmark::Initialize(&argc, argv);

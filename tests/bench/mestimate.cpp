@@ -66,8 +66,9 @@ Mestimate::Mestimate(int width_px, int height_px, const std::string& method)
     impl_->source = add_filter(graph, "buffer",
                                "width=" + std::to_string(width_px) + ":height=" + std::to_string(height_px) +
                                    ":pix_fmt=gray:time_base=1/50");
-    AVFilterContext* estimate = add_filter(
-        graph, "mestimate", "method=" + method + ":mb_size=16:search_param=" + std::to_string(-search_min));
+    AVFilterContext* estimate =
+        add_filter(graph, "mestimate",
+                   "method=" + method + ":mb_size=16:search_param=" + std::to_string(-flow::search_min));
     impl_->sink = add_filter(graph, "buffersink", "");
     check(avfilter_link(impl_->source, 0, estimate, 0) == 0, "link filters");
     check(avfilter_link(estimate, 0, impl_->sink, 0) == 0, "link filters");

@@ -20,7 +20,7 @@ cv::Mat mat_of(const testing::GreyImage& image) {
 }
 
 void take(const std::vector<FlowVector>& vectors, MeasuredFlow& measured) {
-    const double confidence_min = FlowParams().confidence_min;
+    const double confidence_min = flow::FlowParams().confidence_min;
     measured.flow_px.resize(vectors.size());
     measured.kept.resize(vectors.size());
     for (std::size_t i = 0; i < vectors.size(); ++i) {
@@ -30,21 +30,21 @@ void take(const std::vector<FlowVector>& vectors, MeasuredFlow& measured) {
 }
 
 /// Matching alone, without compensation of the brightness.
-MeasureFlow blocks(const KernelEntry& kernel, Subpixel subpixel) {
-    MatchSettings settings;
+MeasureFlow blocks(const flow::KernelEntry& kernel, flow::Subpixel subpixel) {
+    flow::MatchSettings settings;
     settings.kernel = &kernel;
     settings.subpixel = subpixel;
     return [settings, bias_px = std::vector<Eigen::Vector2i>(), vectors = std::vector<FlowVector>()](
                const FlowPair& pair, MeasuredFlow& measured) mutable {
         bias_px.assign(pair.layout.size(), Eigen::Vector2i::Zero());
-        match_blocks(pair.reference.view(), pair.newer.view(), pair.layout, bias_px, settings, vectors);
+        flow::match_blocks(pair.reference.view(), pair.newer.view(), pair.layout, bias_px, settings, vectors);
         take(vectors, measured);
     };
 }
 
 /// All that the sensor does to get its vectors.
 MeasureFlow sensor_default() {
-    return [matcher = BlockMatcher(FlowParams(), 1), predicted_px = std::vector<Vector2d>(),
+    return [matcher = flow::BlockMatcher(flow::FlowParams(), 1), predicted_px = std::vector<Vector2d>(),
             vectors = std::vector<FlowVector>()](const FlowPair& pair, MeasuredFlow& measured) mutable {
         predicted_px.assign(pair.layout.size(), Vector2d::Zero());
         matcher(pair.reference.view(), pair.newer.view(), pair.layout, predicted_px, vectors);
@@ -52,7 +52,7 @@ MeasureFlow sensor_default() {
     };
 }
 
-std::vector<cv::Point2f> points_of(const BlockLayout& layout) {
+std::vector<cv::Point2f> points_of(const flow::BlockLayout& layout) {
     std::vector<cv::Point2f> points;
     for (const Vector2d& centre : layout.centre_px)
         points.emplace_back(static_cast<float>(centre.x()), static_cast<float>(centre.y()));
@@ -110,8 +110,8 @@ MeasureFlow dis() {
         method->calc(mat_of(pair.reference), mat_of(pair.newer), flow);
         measured.flow_px.clear();
         for (const Eigen::Vector2i& corner : pair.layout.corner_px) {
-            const int u = corner.x() + block_px / 2 - 1;
-            const int v = corner.y() + block_px / 2 - 1;
+            const int u = corner.x() + flow::block_px / 2 - 1;
+            const int v = corner.y() + flow::block_px / 2 - 1;
             const cv::Vec2f sum = flow(v, u) + flow(v, u + 1) + flow(v + 1, u) + flow(v + 1, u + 1);
             measured.flow_px.emplace_back(sum[0] / 4, sum[1] / 4);
         }
@@ -126,10 +126,11 @@ MeasureFlow match_template() {
         const cv::Mat to = mat_of(pair.newer);
         measured.flow_px.clear();
         for (const Eigen::Vector2i& corner : pair.layout.corner_px) {
-            const cv::Rect block(corner.x(), corner.y(), block_px, block_px);
-            const cv::Rect window = cv::Rect(block.x + search_min, block.y + search_min,
-                                             block_px + search_px - 1, block_px + search_px - 1) &
-                                    cv::Rect({}, to.size());
+            const cv::Rect block(corner.x(), corner.y(), flow::block_px, flow::block_px);
+            const cv::Rect window =
+                cv::Rect(block.x + flow::search_min, block.y + flow::search_min,
+                         flow::block_px + flow::search_px - 1, flow::block_px + flow::search_px - 1) &
+                cv::Rect({}, to.size());
             cv::matchTemplate(to(window), from(block), cost, cv::TM_SQDIFF);
             cv::Point best;
             cv::minMaxLoc(cost, nullptr, nullptr, &best);
@@ -143,11 +144,11 @@ MeasureFlow match_template() {
 
 std::vector<FlowMethod> all_methods() {
     std::vector<FlowMethod> methods;
-    for_each_kernel([&](const KernelEntry& kernel) {
+    for_each_kernel([&](const flow::KernelEntry& kernel) {
         methods.push_back({std::string("flownav-integer-") + kernel.name,
-                           [&kernel] { return blocks(kernel, Subpixel::None); }});
+                           [&kernel] { return blocks(kernel, flow::Subpixel::None); }});
     });
-    methods.push_back({"flownav-V", [] { return blocks(select_kernel(), Subpixel::V); }});
+    methods.push_back({"flownav-V", [] { return blocks(flow::select_kernel(), flow::Subpixel::V); }});
     methods.push_back({"flownav-default", sensor_default});
     for (const int window_px : {16, 21}) {
         const std::string size = std::to_string(window_px);

@@ -26,7 +26,7 @@ using mrpt::obs::CObservationImage;
 using Observations = std::vector<CObservation::Ptr>;
 
 Observations read_all(const fs::path& rawlog) {
-    RawlogReader reader(rawlog);
+    io::RawlogReader reader(rawlog);
     Observations all;
     while (const auto observation = reader.next()) all.push_back(observation);
     return all;

@@ -41,8 +41,8 @@ void time_decode(benchmark::State& state, const fs::path& rawlog) {
     std::size_t fields = 0;
     while (state.KeepRunning()) {
         fields = 0;
-        RawlogReader reader(rawlog);
-        FieldSource source(reader, {});
+        io::RawlogReader reader(rawlog);
+        io::FieldSource source(reader, {});
         while (const auto event = source.next()) fields += std::holds_alternative<Field>(*event) ? 1 : 0;
     }
     state.counters["fields"] = static_cast<double>(fields);
@@ -50,13 +50,13 @@ void time_decode(benchmark::State& state, const fs::path& rawlog) {
 }
 
 void time_replay(benchmark::State& state, const fs::path& rawlog, int threads) {
-    ReplayOptions options;
+    replay::ReplayOptions options;
     options.input = rawlog;
     options.output = fs::temp_directory_path() / "flownav-bench";
     options.config.pipeline.threads = threads;
     while (state.KeepRunning()) {
-        const ReplayResult result = replay(options);
-        if (result.status != ExitStatus::Fine) state.SkipWithError(result.message.c_str());
+        const replay::ReplayResult result = replay::replay(options);
+        if (result.status != replay::ExitStatus::Fine) state.SkipWithError(result.message.c_str());
     }
     fs::remove_all(options.output);
     state.counters["fields"] = static_cast<double>(read_fields(rawlog).size());

@@ -18,8 +18,8 @@ std::filesystem::path sample_rawlog() {
 }
 
 std::vector<Field> read_fields(const std::filesystem::path& rawlog) {
-    RawlogReader reader(rawlog);
-    FieldSource source(reader, {});
+    io::RawlogReader reader(rawlog);
+    io::FieldSource source(reader, {});
     std::vector<Field> fields;
     while (const auto event = source.next()) {
         if (const auto* field = std::get_if<Field>(&*event)) fields.push_back(*field);

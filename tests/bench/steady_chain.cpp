@@ -23,8 +23,9 @@ double since_s(Clock::time_point start) {
 
 }  // namespace
 
-SteadyChain::SteadyChain(const std::vector<Field>& fields, const KernelEntry& kernel, int threads)
-    : fields_(fields), state_(with_threads(threads), timed(BlockMatcher(FlowParams(), threads, kernel))) {}
+SteadyChain::SteadyChain(const std::vector<Field>& fields, const flow::KernelEntry& kernel, int threads)
+    : fields_(fields),
+      state_(with_threads(threads), timed(flow::BlockMatcher(flow::FlowParams(), threads, kernel))) {}
 
 std::size_t SteadyChain::timed_fields() const {
     return fields_.size() - searched_fields;
@@ -64,9 +65,9 @@ Field SteadyChain::written(const Field& field) {
     return copy;
 }
 
-Matcher SteadyChain::timed(Matcher matcher) {
+flow::Matcher SteadyChain::timed(flow::Matcher matcher) {
     return [this, matcher = std::move(matcher)](
-               const ImageView& reference, const ImageView& newer, const BlockLayout& layout,
+               const ImageView& reference, const ImageView& newer, const flow::BlockLayout& layout,
                const std::vector<Eigen::Vector2d>& predicted_px, std::vector<FlowVector>& vectors) {
         const Clock::time_point start = Clock::now();
         matcher(reference, newer, layout, predicted_px, vectors);

@@ -13,7 +13,7 @@ namespace flownav::bench {
 /// decoder, which is not timed.
 class SteadyChain {
   public:
-    SteadyChain(const std::vector<Field>& fields, const KernelEntry& kernel, int threads);
+    SteadyChain(const std::vector<Field>& fields, const flow::KernelEntry& kernel, int threads);
     SteadyChain(const SteadyChain&) = delete;
     SteadyChain& operator=(const SteadyChain&) = delete;
 
@@ -33,7 +33,7 @@ class SteadyChain {
   private:
     using Buffer = std::vector<std::uint8_t>;
 
-    Matcher timed(Matcher matcher);
+    flow::Matcher timed(flow::Matcher matcher);
     Field written(const Field& field);
 
     std::vector<Field> fields_;

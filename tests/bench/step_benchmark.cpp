@@ -14,9 +14,9 @@
 namespace flownav::bench {
 namespace {
 
-void time_steps(benchmark::State& state, const KernelEntry& kernel, bool with_map) {
+void time_steps(benchmark::State& state, const flow::KernelEntry& kernel, bool with_map) {
     SteadyChain chain(sample_fields(), kernel, 1);
-    LocalMap map{MapParams()};
+    mapping::LocalMap map{mapping::MapParams()};
     const auto enter = [&](const pipeline::Step& step) {
         if (with_map && step.end_of_cycle && !step.obstacles.empty())
             map.insert({step.timestamp_s, step.T_start_robot, step.obstacles, step.ground});
@@ -30,22 +30,22 @@ void time_steps(benchmark::State& state, const KernelEntry& kernel, bool with_ma
 /// Compensation of the brightness, which is part of matching.
 void time_brightness(benchmark::State& state) {
     const auto& fields = sample_fields();
-    const BlockLayout layout = place_blocks(RayMapper(fields[0].camera), FlowParams());
+    const flow::BlockLayout layout = flow::place_blocks(RayMapper(fields[0].camera), flow::FlowParams());
     const std::vector<Eigen::Vector2i> bias_px(layout.size(), Eigen::Vector2i::Zero());
-    GreySums sums;
+    flow::GreySums sums;
     while (state.KeepRunning()) {
         for (std::size_t i = 0; i + 2 < fields.size(); ++i)
             benchmark::DoNotOptimize(
-                compare_brightness(fields[i].image, fields[i + 2].image, layout, bias_px, sums));
+                flow::compare_brightness(fields[i].image, fields[i + 2].image, layout, bias_px, sums));
     }
     state.counters["fields"] = static_cast<double>(fields.size() - 2);
 }
 
 /// What the ego-motion of one field is estimated from.
 struct MotionCase {
-    std::vector<MotionSample> samples;
+    std::vector<motion::MotionSample> samples;
     CameraModel camera;
-    MotionPrediction prediction;
+    motion::MotionPrediction prediction;
 };
 
 std::vector<MotionCase> motion_cases() {
@@ -69,11 +69,11 @@ std::vector<MotionCase> motion_cases() {
 
 void time_ego_motion(benchmark::State& state) {
     const auto cases = motion_cases();
-    MotionScratch scratch;
+    motion::MotionScratch scratch;
     while (state.KeepRunning()) {
         for (const MotionCase& c : cases)
             benchmark::DoNotOptimize(
-                estimate_motion(c.samples, c.camera, c.prediction, MotionParams(), scratch));
+                motion::estimate_motion(c.samples, c.camera, c.prediction, motion::MotionParams(), scratch));
     }
     state.counters["fields"] = static_cast<double>(cases.size());
 }
@@ -81,7 +81,7 @@ void time_ego_motion(benchmark::State& state) {
 }  // namespace
 
 void register_steps() {
-    for_each_kernel([](const KernelEntry& kernel) {
+    for_each_kernel([](const flow::KernelEntry& kernel) {
         const std::string name = std::string("step/") + kernel.name;
         benchmark::RegisterBenchmark(name.c_str(), time_steps, kernel, false)->UseManualTime();
         benchmark::RegisterBenchmark((name + "/map").c_str(), time_steps, kernel, true)->UseManualTime();

@@ -130,16 +130,16 @@ void expect_sound(const Field& field, std::optional<Kept>& before) {
 }
 
 /// Reads to the end.
-ReadEnd read_everything(const std::filesystem::path& file) {
-    RawlogReader reader(file);
-    FieldSource source(reader, {});
+io::ReadEnd read_everything(const std::filesystem::path& file) {
+    io::RawlogReader reader(file);
+    io::FieldSource source(reader, {});
     std::optional<Kept> before;
     while (true) {
         try {
             const auto event = source.next();
             if (!event) return reader.end();
             if (const auto* field = std::get_if<Field>(&*event)) expect_sound(*field, before);
-        } catch (const ConfigError&) {
+        } catch (const config::ConfigError&) {
             // A damaged calibration; reading can go on.
         }
     }
@@ -149,11 +149,11 @@ void expect_an_end(const std::string& bytes, const std::string& what) {
     const auto file = test_folder() / "damaged.rawlog";
     write_bytes(file, bytes);
     try {
-        const ReadEnd end = read_everything(file);
-        EXPECT_NE(end.kind, ReadEnd::Kind::NotYet) << what;
-        EXPECT_EQ(end.message.empty(), end.kind == ReadEnd::Kind::Clean) << what;
+        const io::ReadEnd end = read_everything(file);
+        EXPECT_NE(end.kind, io::ReadEnd::Kind::NotYet) << what;
+        EXPECT_EQ(end.message.empty(), end.kind == io::ReadEnd::Kind::Clean) << what;
         EXPECT_LE(end.objects_read, 40U) << what;
-    } catch (const InputError& e) {
+    } catch (const io::InputError& e) {
         EXPECT_STRNE(e.what(), "") << what;
     }
 }
@@ -199,8 +199,8 @@ TEST(DamagedRawlog, EveryByteOfAnObjectMayBeDamaged) {
 TEST(DamagedRawlog, UndamagedRecordingReadsCleanly) {
     const auto file = test_folder() / "good.rawlog";
     write_bytes(file, recording());
-    const ReadEnd end = read_everything(file);
-    EXPECT_EQ(end.kind, ReadEnd::Kind::Clean) << end.message;
+    const io::ReadEnd end = read_everything(file);
+    EXPECT_EQ(end.kind, io::ReadEnd::Kind::Clean) << end.message;
     EXPECT_EQ(end.objects_read, 30U);
 }
 

@@ -27,7 +27,7 @@ TEST(HonestyOfThePrintedMethod, ItsSpeedIsSeveralPercentTooHighAndOursIsNot) {
     const pipeline::Params ours = testing::cycles_of(4);
     pipeline::Params printed = ours;
     printed.motion.geometry = Geometry::Block;
-    printed.flow.subpixel = Subpixel::None;
+    printed.flow.subpixel = flow::Subpixel::None;
     const double printed_percent = v_bias_percent(fields, printed);
     EXPECT_GT(printed_percent, 3.0);
     EXPECT_LT(printed_percent, 8.0);

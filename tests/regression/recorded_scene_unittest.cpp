@@ -18,30 +18,30 @@ std::filesystem::path data_folder() {
 }
 
 /// The errors of the default configuration against the recorded truth.
-Errors errors_of(const std::filesystem::path& rawlog) {
-    const Config config;
-    RawlogReader reader(rawlog);
-    FieldSource source(reader, config.camera);
+evaluation::Errors errors_of(const std::filesystem::path& rawlog) {
+    const config::Config config;
+    io::RawlogReader reader(rawlog);
+    io::FieldSource source(reader, config.camera);
     pipeline::State state(config.pipeline);
-    std::vector<FieldRow> rows;
-    PoseTrack truth;
+    std::vector<evaluation::FieldRow> rows;
+    evaluation::PoseTrack truth;
     while (const auto event = source.next()) {
         if (const auto* field = std::get_if<Field>(&*event))
-            rows.push_back(row_of(pipeline::step(state, *field)));
-        const auto* sample = std::get_if<PoseSample>(&*event);
-        if (sample != nullptr && sample->source == PoseSample::Source::GroundTruth)
+            rows.push_back(evaluation::row_of(pipeline::step(state, *field)));
+        const auto* sample = std::get_if<io::PoseSample>(&*event);
+        if (sample != nullptr && sample->source == io::PoseSample::Source::GroundTruth)
             truth.add(sample->timestamp_s, sample->pose);
     }
     truth.finish();
-    EXPECT_EQ(reader.end().kind, ReadEnd::Kind::Clean) << reader.end().message;
-    return compare(rows, truth);
+    EXPECT_EQ(reader.end().kind, io::ReadEnd::Kind::Clean) << reader.end().message;
+    return evaluation::compare(rows, truth);
 }
 
 TEST(RecordedScene, FieldSceneReachesItsNumbers) {
     const std::filesystem::path rawlog = data_folder() / "scenes/field.rawlog";
     if (!std::filesystem::exists(rawlog))
         GTEST_SKIP() << "no " << rawlog << "; set FLOWNAV_DATA to the folder with the recordings";
-    const Errors errors = errors_of(rawlog);
+    const evaluation::Errors errors = errors_of(rawlog);
     ASSERT_GT(errors.fields_compared, 100U);
     EXPECT_LT(errors.omega_rms_degps.value(), 0.10);
     EXPECT_LT(errors.omega_cycle_rms_degps.value(), 0.03);

@@ -65,9 +65,9 @@ bool compare_as(const CObservation& a, const CObservation& b, Differences& most)
 
 ByLabel observations_of(const std::filesystem::path& rawlog) {
     ByLabel found;
-    RawlogReader reader(rawlog);
+    io::RawlogReader reader(rawlog);
     while (auto observation = reader.next()) found[observation->sensorLabel].push_back(observation);
-    EXPECT_EQ(reader.end().kind, ReadEnd::Kind::Clean) << reader.end().message;
+    EXPECT_EQ(reader.end().kind, io::ReadEnd::Kind::Clean) << reader.end().message;
     return found;
 }
 

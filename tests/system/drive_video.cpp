@@ -15,8 +15,8 @@ namespace flownav::testing {
 namespace {
 
 std::vector<Field> fields_of(const std::string& rawlog) {
-    RawlogReader reader(rawlog);
-    FieldSource source(reader, CameraConfig{});
+    io::RawlogReader reader(rawlog);
+    io::FieldSource source(reader, config::CameraConfig{});
     std::vector<Field> fields;
     while (const auto event = source.next()) {
         if (const auto* field = std::get_if<Field>(&*event)) fields.push_back(*field);

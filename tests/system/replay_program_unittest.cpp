@@ -216,7 +216,7 @@ TEST_F(ReplayProgram, MemoryStaysFlatOverALongRecording) {
         fs::path file = scratch / ("repeated" + std::to_string(times) + ".rawlog");
         mrpt::io::CFileGZOutputStream stream(file.string(), mrpt::io::OpenMode::TRUNCATE, 1);
         for (int k = 0; k < times; ++k) {
-            RawlogReader reader(corridor);
+            io::RawlogReader reader(corridor);
             while (const auto observation = reader.next()) {
                 observation->timestamp += std::chrono::seconds(60 * k);
                 mrpt::serialization::archiveFrom(stream) << *observation;
@@ -466,10 +466,10 @@ TEST_F(ReplayProgram, AFlowFieldFileHasOneRecordAFieldAndChangesNoResult) {
     const fs::path plain = scratch / "plain";
     ASSERT_EQ(replay_to(plain, corridor, {"--quiet"}).status, 0);
     EXPECT_EQ(content(output / "result.rawlog"), content(plain / "result.rawlog"));
-    RawlogReader reader(fields);
+    io::RawlogReader reader(fields);
     std::size_t count = 0;
     while (reader.next()) ++count;
-    EXPECT_EQ(reader.end().kind, ReadEnd::Kind::Clean) << reader.end().message;
+    EXPECT_EQ(reader.end().kind, io::ReadEnd::Kind::Clean) << reader.end().message;
     EXPECT_EQ(count, summary()["read"]["fields"]);
 }
 

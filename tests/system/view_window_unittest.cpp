@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
-#include "flownav/report/fate_style.h"
+#include "flownav/report/label_style.h"
 #include "view_samples.h"
 #include "x_display.h"
 
@@ -120,7 +120,7 @@ std::unique_ptr<XDisplay> Window::display;
 TEST_F(Window, ShowsThePictureOfTheSessionToThePixel) {
     press(GLFW_KEY_END);
     EXPECT_LT(difference_on_display(), 2.0);
-    EXPECT_GT(pixels_of(on_display(), style_of(BlockFate::Obstacle)->colour), 500);
+    EXPECT_GT(pixels_of(on_display(), report::style_of(BlockLabel::Obstacle)->colour), 500);
 }
 
 TEST_F(Window, WhatItShowsIsTheStepRecord) {
@@ -152,7 +152,7 @@ TEST_F(Window, TheMouseOverABlockShowsItsNumbers) {
     std::size_t wanted = 0;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         const Eigen::Vector2d now = blocks[i].vector.at_px + blocks[i].vector.flow_px;
-        if (blocks[i].fate == BlockFate::Obstacle && now.x() > 20 && now.y() > 20) wanted = i;
+        if (blocks[i].label == BlockLabel::Obstacle && now.x() > 20 && now.y() > 20) wanted = i;
     }
     const FlowVector& vector = blocks[wanted].vector;
     const cv::Point at = picture_px_of(*model, session->size(), vector.at_px + vector.flow_px);
@@ -193,7 +193,7 @@ TEST_F(Window, ASliderRecomputesAtOnce) {
     }
     show();
     EXPECT_FALSE(last_state()["preview"]);
-    Config config;
+    config::Config config;
     config.pipeline.flow.blocks = blocks;
     EXPECT_EQ(last_state()["omega_radps"], straight_run(corridor(), config).back().omega_radps);
 }

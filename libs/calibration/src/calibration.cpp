@@ -15,7 +15,7 @@
 #include "flownav/io/output_file.h"
 #include "flownav/report/residual_picture.h"
 
-namespace flownav {
+namespace flownav::calibration {
 namespace {
 
 constexpr double deg = M_PI / 180;
@@ -28,7 +28,7 @@ constexpr double angle_sigma_max_deg = 0.3;
 constexpr double scale_sigma_max = 0.05;
 constexpr int pairs_min = 10;
 constexpr double longer_cycles = 1.5;  // the longer the way, the less a vector's pixel errors count
-constexpr AngleMask all_angles = {true, true, true};
+constexpr motion::AngleMask all_angles = {true, true, true};
 
 /// What was asked for makes no sense, or not enough could be seen; what() says why.
 struct UsageError : std::runtime_error {
@@ -39,7 +39,7 @@ struct NotDetermined : std::runtime_error {
 };
 
 void refuse_bad_input(const std::filesystem::path& input) {
-    const std::string problem = problem_of_input(input);
+    const std::string problem = io::problem_of_input(input);
     if (!problem.empty()) throw UsageError(problem);
 }
 
@@ -52,7 +52,7 @@ void refuse_overwriting(const CalibrationOptions& o) {
 }
 
 std::string degrees_text(double angle_rad) {
-    return fixed_text(angle_rad / deg, 3);
+    return cli::fixed_text(angle_rad / deg, 3);
 }
 
 class Run {
@@ -77,10 +77,10 @@ class Run {
   private:
     void refine() {
         for (int round = 0; round < rounds_max; ++round) {
-            drive_ = collect_pairs(options_.input, config_, 0, progress_);
+            drive_ = evaluation::collect_pairs(options_.input, config_, 0, progress_);
             if (drive_.fields == 0) throw UsageError("no field could be used in " + options_.input.string());
-            fit_ = fit_angles(drive_.pairs, MountAngles::Zero(), all_angles);
-            if (options_.odometry) scale_ = fit_scale(travel_pieces(), drive_.odometry);
+            fit_ = evaluation::fit_angles(drive_.pairs, motion::MountAngles::Zero(), all_angles);
+            if (options_.odometry) scale_ = evaluation::fit_scale(travel_pieces(), drive_.odometry);
             require_determined();
             hold_what_is_unknown();
             const bool rescale = scale_ && std::abs(scale_->ratio - 1.0) > rescale_min;
@@ -90,9 +90,9 @@ class Run {
         }
     }
 
-    std::vector<TravelPiece> travel_pieces() const {
-        std::vector<TravelPiece> pieces;
-        for (const CalibrationPair& pair : drive_.pairs) {
+    std::vector<evaluation::TravelPiece> travel_pieces() const {
+        std::vector<evaluation::TravelPiece> pieces;
+        for (const evaluation::CalibrationPair& pair : drive_.pairs) {
             if (!pair.motion.forward_measured) continue;
             pieces.push_back({pair.begin_s, pair.end_s, pair.motion.forward_m});
         }
@@ -102,20 +102,20 @@ class Run {
     static double plausible_height(double height_m) { return std::clamp(height_m, 0.01, 20.0); }
 
     CameraMount assumed() const { return drive_.pairs.front().reference.mount; }
-    CameraMount final_mount() const { return corrected(assumed(), fit_.correction_rad); }
+    CameraMount final_mount() const { return motion::corrected(assumed(), fit_.correction_rad); }
 
     bool determined(int angle) const { return fit_.sigma_rad[angle] < angle_sigma_max_deg * deg; }
 
     /// An angle that the drive does not tell stays what it was.
     void hold_what_is_unknown() {
-        const AngleMask known = {true, determined(1), determined(2)};
+        const motion::AngleMask known = {true, determined(1), determined(2)};
         if (known == all_angles) return;
         const CameraMount mount = assumed();
-        MountAngles start = MountAngles::Zero();
+        motion::MountAngles start = motion::MountAngles::Zero();
         if (!known[1]) start[1] = given_.roll_rad - mount.roll_rad;
         if (!known[2]) start[2] = given_.yaw_rad - mount.yaw_rad;
-        const MountAngles sigma = fit_.sigma_rad;
-        fit_ = fit_angles(drive_.pairs, start, known);
+        const motion::MountAngles sigma = fit_.sigma_rad;
+        fit_ = evaluation::fit_angles(drive_.pairs, start, known);
         if (!known[1]) fit_.sigma_rad[1] = sigma[1];
         if (!known[2]) fit_.sigma_rad[2] = sigma[2];
     }
@@ -130,10 +130,10 @@ class Run {
         }
         if (!determined(0)) {
             throw NotDetermined(found + "its uncertainty is " + degrees_text(fit_.sigma_rad[0]) +
-                                " deg after " + fixed_text(drive_.path_m, 2) + " m of travel" + advice);
+                                " deg after " + cli::fixed_text(drive_.path_m, 2) + " m of travel" + advice);
         }
         if (!fit_.settled || !within_ranges(final_mount()) || fit_.agreeing < agreeing_least) {
-            throw NotDetermined(found + "no pose explains it: " + fixed_text(100 * fit_.agreeing, 0) +
+            throw NotDetermined(found + "no pose explains it: " + cli::fixed_text(100 * fit_.agreeing, 0) +
                                 " % of the near vectors agree with a floor at the best one (pitch " +
                                 degrees_text(final_mount().pitch_rad) +
                                 " deg). Is the floor in view, and are the focal lengths right?");
@@ -174,11 +174,11 @@ class Run {
     }
 
     void add_notes() {
-        result_.notes.push_back(std::to_string(fit_.pairs) + " pairs of fields from " +
-                                options_.input.filename().string() + ", " + fixed_text(drive_.duration_s, 1) +
-                                " s, " + fixed_text(drive_.path_m, 1) + " m");
+        result_.notes.push_back(
+            std::to_string(fit_.pairs) + " pairs of fields from " + options_.input.filename().string() +
+            ", " + cli::fixed_text(drive_.duration_s, 1) + " s, " + cli::fixed_text(drive_.path_m, 1) + " m");
         if (fit_.agreeing < agreeing_plain) {
-            result_.notes.push_back("Only " + fixed_text(100 * fit_.agreeing, 0) +
+            result_.notes.push_back("Only " + cli::fixed_text(100 * fit_.agreeing, 0) +
                                     " % of the near vectors agree with a plane: take the values with care. A "
                                     "level floor with nothing on it calibrates better.");
         }
@@ -198,9 +198,9 @@ class Run {
                                            std::string(version())};
         header.insert(header.end(), result_.notes.begin(), result_.notes.end());
         for (const CalibratedValue& value : result_.values) header.push_back(describe(value));
-        write_file(options_.output, calibration_ini(options_.config, result_.values, header));
+        io::write_file(options_.output, calibration_ini(options_.config, result_.values, header));
         compare();
-        if (drive_.end.kind != ReadEnd::Kind::Clean || !drive_.stop_reason.empty()) {
+        if (drive_.end.kind != io::ReadEnd::Kind::Clean || !drive_.stop_reason.empty()) {
             result_.status = CalibrationStatus::Input;
             result_.message = "the input could not be read to its end: " +
                               (drive_.stop_reason.empty() ? drive_.end.message : drive_.stop_reason) +
@@ -210,28 +210,30 @@ class Run {
 
     void compare() {
         const CameraMount used = assumed();
-        const MountAngles before(given_.pitch_rad - used.pitch_rad, given_.roll_rad - used.roll_rad,
-                                 given_.yaw_rad - used.yaw_rad);
-        const ResidualComparison residuals = compare_residuals(drive_.pairs, before, fit_.correction_rad);
-        result_.notes.push_back("Residual of the floor: " + fixed_text(residuals.before.median_px, 3) +
-                                " px before, " + fixed_text(residuals.after.median_px, 3) + " px after");
+        const motion::MountAngles before(given_.pitch_rad - used.pitch_rad, given_.roll_rad - used.roll_rad,
+                                         given_.yaw_rad - used.yaw_rad);
+        const report::ResidualComparison residuals =
+            report::compare_residuals(drive_.pairs, before, fit_.correction_rad);
+        result_.notes.push_back("Residual of the floor: " + cli::fixed_text(residuals.before.median_px, 3) +
+                                " px before, " + cli::fixed_text(residuals.after.median_px, 3) + " px after");
         if (options_.picture.empty()) return;
         std::vector<std::uint8_t> png;
-        cv::imencode(".png",
-                     residual_picture(drive_.first_field, residuals,
-                                      "before: pitch " + degrees_text(given_.pitch_rad) + " deg",
-                                      "after: pitch " + degrees_text(final_mount().pitch_rad) + " deg"),
-                     png);
-        write_file(options_.picture, {reinterpret_cast<const char*>(png.data()), png.size()});
+        cv::imencode(
+            ".png",
+            report::residual_picture(drive_.first_field, residuals,
+                                     "before: pitch " + degrees_text(given_.pitch_rad) + " deg",
+                                     "after: pitch " + degrees_text(final_mount().pitch_rad) + " deg"),
+            png);
+        io::write_file(options_.picture, {reinterpret_cast<const char*>(png.data()), png.size()});
     }
 
     const CalibrationOptions& options_;
-    Config config_;
-    Progress progress_;
+    config::Config config_;
+    cli::Progress progress_;
     CameraMount given_;  ///< where the calibration started
-    CalibrationDrive drive_;
-    AnglesFit fit_;
-    std::optional<ScaleFit> scale_;
+    evaluation::CalibrationDrive drive_;
+    evaluation::AnglesFit fit_;
+    std::optional<evaluation::ScaleFit> scale_;
     CalibrationResult result_;
 };
 
@@ -246,13 +248,13 @@ CalibrationResult calibrate(const CalibrationOptions& options) {
         return Run(options).result();
     } catch (const NotDetermined& error) {
         return failed(CalibrationStatus::NotDetermined, error);
-    } catch (const OutputError& error) {
+    } catch (const io::OutputError& error) {
         return failed(CalibrationStatus::Output, error);
-    } catch (const InputError& error) {
+    } catch (const io::InputError& error) {
         return failed(CalibrationStatus::Input, error);
     } catch (const std::runtime_error& error) {  // UsageError, ConfigError
         return failed(CalibrationStatus::Usage, error);
     }
 }
 
-}  // namespace flownav
+}  // namespace flownav::calibration

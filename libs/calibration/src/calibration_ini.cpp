@@ -6,12 +6,12 @@
 
 #include "flownav/cli/number_text.h"
 
-namespace flownav {
+namespace flownav::calibration {
 namespace {
 
 constexpr int decimals = 4;
 
-const CalibratedValue* calibrated(const std::vector<CalibratedValue>& values, const ConfigKey& key) {
+const CalibratedValue* calibrated(const std::vector<CalibratedValue>& values, const config::ConfigKey& key) {
     const auto found = std::find_if(values.begin(), values.end(), [&key](const CalibratedValue& value) {
         return key.section == "camera" && key.name == value.key && value.determined;
     });
@@ -28,28 +28,29 @@ std::string one_line(std::string text) {
 }  // namespace
 
 std::string describe(const CalibratedValue& value) {
-    const std::string before = fixed_text(value.before, decimals) + ' ' + value.unit;
+    const std::string before = cli::fixed_text(value.before, decimals) + ' ' + value.unit;
     if (!value.determined) return value.key + ": not determined by this drive; it stays " + before;
-    return value.key + " = " + fixed_text(value.after, decimals) + ' ' + value.unit + ", uncertainty " +
-           fixed_text(value.sigma, decimals) + ", before " + before;
+    return value.key + " = " + cli::fixed_text(value.after, decimals) + ' ' + value.unit + ", uncertainty " +
+           cli::fixed_text(value.sigma, decimals) + ", before " + before;
 }
 
-std::string calibration_ini(const Config& given, const std::vector<CalibratedValue>& values,
+std::string calibration_ini(const config::Config& given, const std::vector<CalibratedValue>& values,
                             const std::vector<std::string>& header) {
-    const mrpt::config::CConfigFileMemory ini(dump_config(given));
+    const mrpt::config::CConfigFileMemory ini(config::dump_config(given));
     std::string text;
     for (const std::string& line : header) text += "# " + one_line(line) + '\n';
     std::string section;
-    for (const ConfigKey& key : config_keys()) {
+    for (const config::ConfigKey& key : config::config_keys()) {
         const CalibratedValue* value = calibrated(values, key);
         const std::string setting = ini.read_string(key.section, key.name, key.default_value);
         if (value == nullptr && setting == key.default_value) continue;
         if (key.section != section) text += "\n[" + key.section + "]\n";
         section = key.section;
-        if (value != nullptr) text += "# uncertainty " + fixed_text(value->sigma, decimals) + '\n';
-        text += key.name + " = " + (value != nullptr ? fixed_text(value->after, decimals) : setting) + '\n';
+        if (value != nullptr) text += "# uncertainty " + cli::fixed_text(value->sigma, decimals) + '\n';
+        text +=
+            key.name + " = " + (value != nullptr ? cli::fixed_text(value->after, decimals) : setting) + '\n';
     }
     return text;
 }
 
-}  // namespace flownav
+}  // namespace flownav::calibration

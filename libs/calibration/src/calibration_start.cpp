@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-namespace flownav {
+namespace flownav::calibration {
 namespace {
 
 constexpr double deg = M_PI / 180;
@@ -17,24 +17,26 @@ constexpr double height_unknown_m = 1.0;
 
 /// A hypothesis about the camera, and how well it explains a stretch of the drive.
 struct Hypothesis {
-    Config config;
+    config::Config config;
     double agreeing_vectors = 0.0;
     double agreeing = 0.0;
 };
 
-CalibrationDrive stretch(const std::filesystem::path& input, const Config& config, std::uint64_t cycles) {
-    Progress silent(stdout, Progress::Style::Silent);
-    return collect_pairs(input, config, cycles, silent);
+evaluation::CalibrationDrive stretch(const std::filesystem::path& input, const config::Config& config,
+                                     std::uint64_t cycles) {
+    cli::Progress silent(stdout, cli::Progress::Style::Silent);
+    return evaluation::collect_pairs(input, config, cycles, silent);
 }
 
 /// Moves a hypothesis to what explains the stretch best.
-Hypothesis settled(const std::filesystem::path& input, Config config) {
+Hypothesis settled(const std::filesystem::path& input, config::Config config) {
     Hypothesis h{std::move(config), 0.0, 0.0};
     for (int round = 0; round < stretch_rounds; ++round) {
-        const CalibrationDrive drive = stretch(input, h.config, stretch_cycles);
+        const evaluation::CalibrationDrive drive = stretch(input, h.config, stretch_cycles);
         if (drive.pairs.empty()) return h;
-        const AnglesFit fit = fit_angles(drive.pairs, MountAngles::Zero(), {true, true, true});
-        const CameraMount mount = corrected(drive.pairs.front().reference.mount, fit.correction_rad);
+        const evaluation::AnglesFit fit =
+            evaluation::fit_angles(drive.pairs, motion::MountAngles::Zero(), {true, true, true});
+        const CameraMount mount = motion::corrected(drive.pairs.front().reference.mount, fit.correction_rad);
         // A motion that is nothing but rotation explains many vectors under any pose.
         const bool means_something =
             fit.settled && within_ranges(mount) && fit.sigma_rad[0] < sigma_max_deg * deg;
@@ -49,14 +51,14 @@ Hypothesis settled(const std::filesystem::path& input, Config config) {
 
 }  // namespace
 
-CalibrationStart find_start(const std::filesystem::path& input, Config config, bool odometry) {
+CalibrationStart find_start(const std::filesystem::path& input, config::Config config, bool odometry) {
     std::optional<Hypothesis> best;
     std::optional<CameraMount> given;
     try {
         given = stretch(input, config, 1).first_field.camera.mount;
         best = settled(input, config);
         if (best->agreeing >= agreeing_min) return {best->config, *given};
-    } catch (const ConfigError&) {
+    } catch (const config::ConfigError&) {
         if (config.camera.pitch_deg) throw;
         if (odometry && !config.camera.height_m) config.camera.height_m = height_unknown_m;
     }
@@ -74,10 +76,10 @@ bool within_ranges(const CameraMount& m) {
            std::abs(m.yaw_rad) < 10 * deg;
 }
 
-void set_angles(Config& config, const CameraMount& mount) {
+void set_angles(config::Config& config, const CameraMount& mount) {
     config.camera.pitch_deg = mount.pitch_rad / deg;
     config.camera.roll_deg = mount.roll_rad / deg;
     config.camera.yaw_deg = mount.yaw_rad / deg;
 }
 
-}  // namespace flownav
+}  // namespace flownav::calibration

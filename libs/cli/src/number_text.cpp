@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace flownav {
+namespace flownav::cli {
 
 std::string fixed_text(double value, int decimals) {
     if (!std::isfinite(value)) return "";
@@ -21,4 +21,4 @@ std::string time_text(double timestamp_s) {
     return fixed_text(timestamp_s, 6);
 }
 
-}  // namespace flownav
+}  // namespace flownav::cli

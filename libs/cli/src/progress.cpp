@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-namespace flownav {
+namespace flownav::cli {
 
 namespace {
 
@@ -50,4 +50,4 @@ void Progress::draw_bar(int percent, std::uint64_t fields) {
                      std::to_string(percent) + " %, " + fields_text(fields));
 }
 
-}  // namespace flownav
+}  // namespace flownav::cli

@@ -1,6 +1,6 @@
 #include "flownav/cli/stop_signals.h"
 
-namespace flownav {
+namespace flownav::cli {
 
 StopSignals::StopSignals() {
     sigemptyset(&signals_);
@@ -22,4 +22,4 @@ void StopSignals::release() const {
     pthread_sigmask(SIG_UNBLOCK, &signals_, nullptr);
 }
 
-}  // namespace flownav
+}  // namespace flownav::cli

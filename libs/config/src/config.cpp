@@ -5,7 +5,7 @@
 #include "config_key.h"
 #include "nearest_key.h"
 
-namespace flownav {
+namespace flownav::config {
 namespace {
 
 using config::Key;
@@ -104,4 +104,4 @@ std::string document_config() {
     return text;
 }
 
-}  // namespace flownav
+}  // namespace flownav::config

@@ -3,7 +3,7 @@
 #include "flownav/config/config.h"
 #include "flownav/math/footprint.h"
 
-namespace flownav {
+namespace flownav::config {
 namespace {
 
 constexpr double cells_max = 2000.0;    // across the local map
@@ -12,7 +12,7 @@ constexpr double around_robot_m = 0.4;  // of the local map: what stands beside 
 }  // namespace
 
 void check_map(const Config& config) {
-    const MapParams& map = config.map;
+    const mapping::MapParams& map = config.map;
     if (map.size_m <= cells_max * map.resolution_m) return;
     std::ostringstream text;
     text << "map.size_m = " << map.size_m << ": with map.resolution_m = " << map.resolution_m << " these are "
@@ -32,4 +32,4 @@ void check_navigation(const Config& config) {
     throw ConfigError(text.str());
 }
 
-}  // namespace flownav
+}  // namespace flownav::config

@@ -5,7 +5,7 @@
 #include "flownav/config/config.h"
 #include "ini_text.h"
 
-namespace flownav {
+namespace flownav::config {
 namespace {
 
 std::string read_text(const std::string& path) {
@@ -32,4 +32,4 @@ void load_config_file(Config& config, const std::string& path) {
     config = loaded;
 }
 
-}  // namespace flownav
+}  // namespace flownav::config

@@ -4,7 +4,7 @@
 
 #include "config_key.h"
 
-namespace flownav {
+namespace flownav::config {
 
 void ConfigSection::loadFromConfigFile(const mrpt::config::CConfigFileBase& source,
                                        const std::string& section) {
@@ -24,4 +24,4 @@ void ConfigSection::saveToConfigFile(mrpt::config::CConfigFileBase& target,
     }
 }
 
-}  // namespace flownav
+}  // namespace flownav::config

@@ -70,23 +70,27 @@ std::vector<Key> camera_keys() {
 
 std::vector<Key> flow_keys() {
     return {
-        word<MatcherKind>(
+        word<flow::MatcherKind>(
             {"flow", "matcher", "", "how vectors are measured: sum of absolute differences, or Lucas-Kanade"},
-            {{"sad", MatcherKind::Sad}, {"lk", MatcherKind::Lk}}, AT(pipeline.flow.matcher)),
+            {{"sad", flow::MatcherKind::Sad}, {"lk", flow::MatcherKind::Lk}}, AT(pipeline.flow.matcher)),
         number<int>({"flow", "blocks", "", "blocks placed in the image"}, {16, 2000},
                     AT(pipeline.flow.blocks)),
-        word<Subpixel>({"flow", "subpixel", "", "refinement of a match: integer, two lines, or a parabola"},
-                       {{"none", Subpixel::None}, {"v", Subpixel::V}, {"parabola", Subpixel::Parabola}},
-                       AT(pipeline.flow.subpixel)),
-        word<BrightnessModel>({"flow", "brightness", "",
-                               "compensation of changing exposure: off, or gain and offset of each image"},
-                              {{"off", BrightnessModel::Constant}, {"image", BrightnessModel::Image}},
-                              AT(pipeline.flow.brightness)),
+        word<flow::Subpixel>(
+            {"flow", "subpixel", "", "refinement of a match: integer, two lines, or a parabola"},
+            {{"none", flow::Subpixel::None},
+             {"v", flow::Subpixel::V},
+             {"parabola", flow::Subpixel::Parabola}},
+            AT(pipeline.flow.subpixel)),
+        word<flow::BrightnessModel>(
+            {"flow", "brightness", "",
+             "compensation of changing exposure: off, or gain and offset of each image"},
+            {{"off", flow::BrightnessModel::Constant}, {"image", flow::BrightnessModel::Image}},
+            AT(pipeline.flow.brightness)),
         number<double>({"flow", "confidence_min", "", "matches less distinct than this are left out"}, {0, 1},
                        AT(pipeline.flow.confidence_min)),
         number<double>({"flow", "blind_cone", "",
                         "no blocks nearer than this to the point the robot drives to; focal length = 1"},
-                       {0, 1}, AT(pipeline.flow.blind_cone)),
+                       {0, 1}, AT(pipeline.flow.focus_exclusion)),
     };
 }
 
@@ -95,9 +99,10 @@ std::vector<Key> motion_keys() {
         word<Geometry>(
             {"motion", "geometry", "", "where vectors are evaluated: half-way, or at the reference block"},
             {{"midpoint", Geometry::MidPoint}, {"block", Geometry::Block}}, AT(pipeline.motion.geometry)),
-        word<MotionModel>({"motion", "motion_model", "", "rotations that are estimated"},
-                          {{"yaw", MotionModel::Yaw}, {"yaw_pitch", MotionModel::YawPitch}},
-                          AT(pipeline.motion.model)),
+        word<motion::MotionModel>(
+            {"motion", "motion_model", "", "rotations that are estimated"},
+            {{"yaw", motion::MotionModel::Yaw}, {"yaw_pitch", motion::MotionModel::YawPitch}},
+            AT(pipeline.motion.model)),
         word<bool>({"motion", "pitch_online", "", "learn the camera's true pitch while driving"},
                    {{"true", true}, {"false", false}}, AT(pipeline.pitch_online)),
         number_or_word(

@@ -2,17 +2,17 @@
 
 #include "flownav/flow/lk_matcher.h"
 
-namespace flownav {
+namespace flownav::config {
 
-Matcher make_matcher(const pipeline::Params& params) {
-    if (params.flow.matcher == MatcherKind::Sad) return BlockMatcher(params.flow, params.threads);
-    LkSettings settings;
+flow::Matcher make_matcher(const pipeline::Params& params) {
+    if (params.flow.matcher == flow::MatcherKind::Sad) return flow::BlockMatcher(params.flow, params.threads);
+    flow::LkSettings settings;
     settings.brightness = params.flow.brightness;
-    return LkMatcher(settings);
+    return flow::LkMatcher(settings);
 }
 
 pipeline::State make_state(const Config& config) {
     return {config.pipeline, make_matcher(config.pipeline)};
 }
 
-}  // namespace flownav
+}  // namespace flownav::config

@@ -75,7 +75,7 @@ std::vector<Key> navigation_keys() {
         number<double>({"navigation", "goal_radius_m", "m", "arrived when this near"}, {0.05, 10},
                        AT(navigation.goal_radius_m)),
         number<double>({"navigation", "decide_every_s", "s", "period of the navigator"}, {0.02, 1},
-                       AT(navigation.decide_every_s)),
+                       AT(navigation.controller_period_s)),
     };
     for (const Key& key : robot_keys()) keys.push_back(key);
     return keys;

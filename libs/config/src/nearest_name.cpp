@@ -4,7 +4,7 @@
 #include <cctype>
 #include <numeric>
 
-namespace flownav {
+namespace flownav::config {
 namespace {
 
 char lower(char c) {
@@ -34,4 +34,4 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
     });
 }
 
-}  // namespace flownav
+}  // namespace flownav::config

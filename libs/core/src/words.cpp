@@ -35,23 +35,23 @@ const char* to_string(FieldFault fault) {
     return "unknown";
 }
 
-const char* to_string(BlockFate fate) {
-    switch (fate) {
-        case BlockFate::Unplaced:
+const char* to_string(BlockLabel label) {
+    switch (label) {
+        case BlockLabel::Unplaced:
             return "unplaced";
-        case BlockFate::Sifted:
+        case BlockLabel::Sifted:
             return "sifted";
-        case BlockFate::Eliminated:
+        case BlockLabel::Eliminated:
             return "eliminated";
-        case BlockFate::Ground:
+        case BlockLabel::Ground:
             return "ground";
-        case BlockFate::Obstacle:
+        case BlockLabel::Obstacle:
             return "obstacle";
-        case BlockFate::Moving:
+        case BlockLabel::Moving:
             return "moving";
-        case BlockFate::Unsupported:
+        case BlockLabel::Unsupported:
             return "unsupported";
-        case BlockFate::Unjudged:
+        case BlockLabel::Unjudged:
             return "unjudged";
     }
     return "unknown";

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace flownav {
+namespace flownav::drive {
 
 BackgroundWriter::BackgroundWriter() : thread_([this] { run(); }) {}
 
@@ -73,4 +73,4 @@ void BackgroundWriter::run() {
     }
 }
 
-}  // namespace flownav
+}  // namespace flownav::drive

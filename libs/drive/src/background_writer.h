@@ -8,7 +8,7 @@
 #include <mutex>
 #include <thread>
 
-namespace flownav {
+namespace flownav::drive {
 
 /// Does one job after the other in a thread of its own. After a job that throws, the others are dropped.
 class BackgroundWriter {
@@ -43,4 +43,4 @@ class BackgroundWriter {
     std::thread thread_;  ///< last: starts when all else is there
 };
 
-}  // namespace flownav
+}  // namespace flownav::drive

@@ -8,12 +8,12 @@
 #include "flownav/config/make_state.h"
 #include "flownav/pipeline/pipeline.h"
 
-namespace flownav {
+namespace flownav::drive {
 namespace {
 
 constexpr double nap_s = 0.05;  // the thread looks this often whether it is to end
 
-bool is_recording(const ProducerSettings& settings) {
+bool is_recording(const io::ProducerSettings& settings) {
     const bool stream =
         settings.source.find("://") != std::string::npos && settings.source.rfind("file://", 0) != 0;
     return settings.grabber_type == "rawlog" || settings.grabber_type == "image_dir" ||
@@ -22,7 +22,7 @@ bool is_recording(const ProducerSettings& settings) {
 
 }  // namespace
 
-CameraThread::CameraThread(const ProducerSettings& settings, const SteadyClock& clock, FieldSink sink)
+CameraThread::CameraThread(const io::ProducerSettings& settings, const SteadyClock& clock, FieldSink sink)
     : fields_(settings),
       clock_(clock),
       sink_(std::move(sink)),
@@ -34,7 +34,7 @@ CameraThread::~CameraThread() {
     thread_.join();
 }
 
-std::vector<nav::Sensed> CameraThread::arrived() {
+std::vector<nav::SensorUpdate> CameraThread::arrived() {
     const std::lock_guard lock(mutex_);
     return std::exchange(arrived_, {});
 }
@@ -57,7 +57,7 @@ void CameraThread::run() {
 }
 
 void CameraThread::read_fields() {
-    pipeline::State state = make_state(fields_.settings().config);
+    pipeline::State state = config::make_state(fields_.settings().config);
     pipeline::RepeatedImages images;
     while (!stops_) {
         auto event = fields_.next();
@@ -71,9 +71,9 @@ void CameraThread::read_fields() {
         }
         const pipeline::Step& step = pipeline::step(state, *field);
         if (sink_) sink_(*field, step);
-        nav::Sensed sensed = sensed_of(step, *field, images);
+        nav::SensorUpdate update = sensor_update_of(step, *field, images);
         const std::lock_guard lock(mutex_);
-        arrived_.push_back(std::move(sensed));
+        arrived_.push_back(std::move(update));
     }
 }
 
@@ -84,4 +84,4 @@ double CameraThread::clock_time_s(double timestamp_s) {
     return timestamp_s + *recording_began_;
 }
 
-}  // namespace flownav
+}  // namespace flownav::drive

@@ -2,7 +2,7 @@
 
 #include <thread>
 
-namespace flownav {
+namespace flownav::drive {
 
 double system_time_s() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
@@ -24,4 +24,4 @@ double SteadyClock::from_system_s(double system_s) const {
     return now_s() - (system_time_s() - system_s);
 }
 
-}  // namespace flownav
+}  // namespace flownav::drive

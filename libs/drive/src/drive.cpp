@@ -9,26 +9,26 @@
 #include "flownav/nav/make_navigator.h"
 #include "flownav/nav/watchdog.h"
 
-namespace flownav {
+namespace flownav::drive {
 namespace {
 
 constexpr double ahead_s = 0.1;  // by which a time stamp may be later than now
 
-nav::Pilot make_pilot(const DriveOptions& options) {
+nav::RecoveryManager make_recovery_manager(const DriveOptions& options) {
     const NavigationParams& navigation = options.config.navigation;
     nav::NavigatorOptions navigator;
     navigator.kind = navigation.navigator;
     navigator.robot = navigation.robot;
-    navigator.period_s = navigation.decide_every_s;
+    navigator.period_s = navigation.controller_period_s;
     navigator.map_size_m = options.config.map.size_m;
     navigator.resolution_m = options.config.map.resolution_m;
     navigator.navlog_dir = options.navlog_directory;
     if (options.waypoint_robot_m)
         return {navigation.robot, nav::make_navigator(navigator), *options.waypoint_robot_m};
-    nav::PilotParams pilot;
-    pilot.plan = navigation.plan;
-    pilot.goal_radius_m = navigation.goal_radius_m;
-    return {navigation.robot, pilot, nav::make_navigator(navigator), options.goals_m};
+    nav::RecoveryParams recovery;
+    recovery.plan = navigation.plan;
+    recovery.goal_radius_m = navigation.goal_radius_m;
+    return {navigation.robot, recovery, nav::make_navigator(navigator), options.goals_m};
 }
 
 /// Calls `stop`; a base that is lost stops by itself.
@@ -50,15 +50,15 @@ bool is_finite(const nav::WheelReading& r) {
                          r.motion.v_mps + r.motion.omega_radps);
 }
 
-/// The loop of wheels, sensor, autopilot and motors.
+/// The loop of wheels, sensor, navigation stack and motors.
 class Loop {
   public:
     Loop(const DriveOptions& options, const DrivenRobot& robot, DriveObserver& observer)
         : options_(options),
           robot_(robot),
           observer_(observer),
-          autopilot_(options.config.navigation, options.config.map, options.guard, make_pilot(options),
-                     options.start) {
+          stack_(options.config.navigation, options.config.map, options.guard, make_recovery_manager(options),
+                 options.start) {
         result_.min_clearance_m = std::numeric_limits<double>::infinity();
     }
 
@@ -69,8 +69,8 @@ class Loop {
             end(Outcome::Lost, error.what());
         }
         quietly([this] { robot_.base.stop(); });
-        observer_.on_end(autopilot_);
-        for (const nav::GuardEvent& event : autopilot_.guard().events()) {
+        observer_.on_end(stack_);
+        for (const nav::GuardEvent& event : stack_.guard().events()) {
             result_.stops.push_back(event);
             result_.stops.back().time_s -= began_s_;
         }
@@ -99,11 +99,11 @@ class Loop {
         if (reading && is_finite(*reading) && reading->time_s <= latest_s) {
             wheels_ = *reading;
             observer_.on_odometry(reading->time_s, reading->T_odom_robot);
-            autopilot_.odometry(reading->time_s, reading->T_odom_robot, reading->motion);
+            stack_.odometry(reading->time_s, reading->T_odom_robot, reading->motion);
         }
-        for (const nav::Sensed& sensed : robot_.feed.arrived())
-            if (sensed.report.timestamp_s <= latest_s) autopilot_.sensed(sensed);
-        const MotionCommand command = autopilot_.command(now_s, options_.navigator);
+        for (const nav::SensorUpdate& update : robot_.feed.arrived())
+            if (update.report.timestamp_s <= latest_s) stack_.update(update);
+        const MotionCommand command = stack_.command(now_s, options_.navigator);
         robot_.base.drive(command);
         note(now_s, command);
         judge(now_s);
@@ -112,13 +112,13 @@ class Loop {
     void note(double now_s, const MotionCommand& command) {
         DriveSample sample;
         sample.time_s = now_s - began_s_;
-        sample.T_map_robot = autopilot_.T_map_robot();
+        sample.T_map_robot = stack_.T_map_robot();
         sample.odometry = wheels_.T_odom_robot;
         sample.motion = wheels_.motion;
-        sample.proposed = autopilot_.decision().command;
+        sample.proposed = stack_.decision().command;
         sample.command = command;
         if (robot_.witness) {
-            truth_ = robot_.witness->truth(now_s, autopilot_.decision().last_goal);
+            truth_ = robot_.witness->truth(now_s, stack_.decision().last_goal);
             sample.truth_known = true;
             sample.T_world_robot = truth_.T_world_robot;
             sample.motion = truth_.motion;
@@ -130,19 +130,19 @@ class Loop {
         last_ = pose;
         result_.samples.push_back(sample);
         observer_.on_tick(sample);
-        if (autopilot_.just_decided()) observer_.on_decision(sample, autopilot_);
+        if (stack_.just_decided()) observer_.on_decision(sample, stack_);
     }
 
     void judge(double now_s) {
         result_.time_s = now_s - began_s_;
-        const nav::PilotDecision& decision = autopilot_.decision();
+        const nav::RecoveryDecision& decision = stack_.decision();
         const std::string sensor_end = robot_.feed.end();
         if (!truth_.touched.empty()) {
             end(Outcome::Collision, "touched " + truth_.touched);
             result_.contact_speed_mps = std::abs(truth_.motion.v_mps);
         } else if (is_at_goal() || result_.path_m >= options_.way_max_m) {
             end(Outcome::Reached, "");
-        } else if (decision.state == nav::PilotState::Blocked) {
+        } else if (decision.state == nav::RecoveryState::Blocked) {
             end(Outcome::Blocked, decision.why);
         } else if (!sensor_end.empty()) {
             end(Outcome::Lost, sensor_end);
@@ -156,7 +156,7 @@ class Loop {
     /// A witness decides, where there is one; the robot's own belief otherwise.
     bool is_at_goal() const {
         if (robot_.witness) return truth_.at_goal;
-        return autopilot_.decision().state == nav::PilotState::Arrived;
+        return stack_.decision().state == nav::RecoveryState::Arrived;
     }
 
     void end(Outcome outcome, std::string why) {
@@ -168,7 +168,7 @@ class Loop {
     const DriveOptions& options_;
     const DrivenRobot& robot_;
     DriveObserver& observer_;
-    nav::Autopilot autopilot_;
+    nav::NavigationStack stack_;
     double began_s_ = 0.0;
     nav::WheelReading wheels_;  ///< the newest
     Pose2 last_;                ///< of the way
@@ -189,4 +189,4 @@ DriveResult drive(const DriveOptions& options, const DrivenRobot& robot, DriveOb
     return Loop(options, robot, observer).result();
 }
 
-}  // namespace flownav
+}  // namespace flownav::drive

@@ -9,17 +9,18 @@
 #include "flownav/io/drive_recording.h"
 #include "flownav/io/output_file.h"
 
-namespace flownav {
+namespace flownav::drive {
 namespace {
 
 constexpr std::size_t waiting_max = 100;  // jobs: some seconds of images
 
 std::string columns(const Pose2& pose) {
-    return fixed_text(pose.x_m, 4) + ',' + fixed_text(pose.y_m, 4) + ',' + fixed_text(pose.yaw_rad, 5);
+    return cli::fixed_text(pose.x_m, 4) + ',' + cli::fixed_text(pose.y_m, 4) + ',' +
+           cli::fixed_text(pose.yaw_rad, 5);
 }
 
 std::string columns(const MotionCommand& motion) {
-    return fixed_text(motion.v_mps, 3) + ',' + fixed_text(motion.omega_radps, 3);
+    return cli::fixed_text(motion.v_mps, 3) + ',' + cli::fixed_text(motion.omega_radps, 3);
 }
 
 }  // namespace
@@ -34,8 +35,8 @@ struct DriveRecorder::Impl {
     }
 
     DriveRecorderOptions options;
-    std::optional<DriveRecording> rawlog;
-    std::optional<OutputFile> csv;
+    std::optional<io::DriveRecording> rawlog;
+    std::optional<io::OutputFile> csv;
     std::atomic<int> fields_left_out{0};
     BackgroundWriter writer;  ///< last: ends before the files do
 };
@@ -63,9 +64,9 @@ void DriveRecorder::on_truth(double timestamp_s, const Pose2& T_world_robot) {
     impl_->writer.push([=] { impl_->rawlog->write_truth(timestamp_s, T_world_robot); });
 }
 
-void DriveRecorder::on_decision(const DriveSample& sample, const nav::Autopilot& autopilot) {
+void DriveRecorder::on_decision(const DriveSample& sample, const nav::NavigationStack& stack) {
     if (!impl_->csv) return;
-    std::string row = drive_csv_row(sample, autopilot.decision(), autopilot.verdict().action);
+    std::string row = drive_csv_row(sample, stack.decision(), stack.safety().action);
     impl_->writer.push([this, row = std::move(row)] { impl_->csv->write(row); });
 }
 
@@ -85,17 +86,17 @@ std::string drive_csv_header() {
            "command_omega_radps,waypoint_x_m,waypoint_y_m,clearance_m,state,action,why\n";
 }
 
-std::string drive_csv_row(const DriveSample& sample, const nav::PilotDecision& decision,
+std::string drive_csv_row(const DriveSample& sample, const nav::RecoveryDecision& decision,
                           nav::GuardAction action) {
     std::string why = decision.why;
     std::replace(why.begin(), why.end(), ',', ';');
     const std::string truth = sample.truth_known ? columns(sample.T_world_robot) : ",,";
-    const std::string clearance = sample.truth_known ? fixed_text(sample.clearance_m, 3) : "";
-    return fixed_text(sample.time_s, 2) + ',' + truth + ',' + columns(sample.T_map_robot) + ',' +
+    const std::string clearance = sample.truth_known ? cli::fixed_text(sample.clearance_m, 3) : "";
+    return cli::fixed_text(sample.time_s, 2) + ',' + truth + ',' + columns(sample.T_map_robot) + ',' +
            columns(sample.odometry) + ',' + columns(sample.motion) + ',' + columns(sample.proposed) + ',' +
-           columns(sample.command) + ',' + fixed_text(decision.waypoint_m.x(), 3) + ',' +
-           fixed_text(decision.waypoint_m.y(), 3) + ',' + clearance + ',' + to_string(decision.state) + ',' +
-           to_string(action) + ',' + why + '\n';
+           columns(sample.command) + ',' + cli::fixed_text(decision.waypoint_m.x(), 3) + ',' +
+           cli::fixed_text(decision.waypoint_m.y(), 3) + ',' + clearance + ',' + to_string(decision.state) +
+           ',' + to_string(action) + ',' + why + '\n';
 }
 
-}  // namespace flownav
+}  // namespace flownav::drive

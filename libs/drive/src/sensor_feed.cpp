@@ -2,20 +2,20 @@
 
 #include "flownav/pipeline/sensor_report.h"
 
-namespace flownav {
+namespace flownav::drive {
 
-nav::Sensed sensed_of(const pipeline::Step& step, const Field& field, pipeline::RepeatedImages& images,
-                      double epoch_s) {
-    nav::Sensed sensed;
-    sensed.report = pipeline::sensor_report(step, field.camera);
-    sensed.report.repeated = images.is_repeated(field.image);
-    sensed.report.timestamp_s -= epoch_s;
-    if (step.status == FieldStatus::Ok) sensed.T_start_robot = step.T_start_robot;
+nav::SensorUpdate sensor_update_of(const pipeline::Step& step, const Field& field,
+                                   pipeline::RepeatedImages& images, double epoch_s) {
+    nav::SensorUpdate update;
+    update.report = pipeline::sensor_report(step, field.camera);
+    update.report.repeated = images.is_repeated(field.image);
+    update.report.timestamp_s -= epoch_s;
+    if (step.status == FieldStatus::Ok) update.T_start_robot = step.T_start_robot;
     if (step.end_of_cycle) {
-        sensed.points = step.obstacles;
-        sensed.ground = step.ground;
+        update.points = step.obstacles;
+        update.ground = step.ground;
     }
-    return sensed;
+    return update;
 }
 
-}  // namespace flownav
+}  // namespace flownav::drive

@@ -8,7 +8,7 @@
 
 #include "flownav/drive/clock.h"
 
-namespace flownav {
+namespace flownav::drive {
 
 /// Time that passes when somebody waits. MRPT's clock shows it, `epoch_s` later, as long as this lives.
 class SimulatedClock : public Clock {
@@ -36,4 +36,4 @@ class SimulatedClock : public Clock {
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace flownav
+}  // namespace flownav::drive

@@ -10,7 +10,7 @@
 #include "flownav/sim/vehicle.h"
 #include "simulated_clock.h"
 
-namespace flownav {
+namespace flownav::drive {
 namespace {
 
 using Eigen::Vector2d;
@@ -18,11 +18,11 @@ using Eigen::Vector2d;
 constexpr double epoch_s = sim::sim_start_s;
 
 /// A scan of the ideal lidar as the maps take it: points, and free ground before them.
-nav::Sensed sensed(const VirtualScan& scan, const sim::LidarParams& lidar, double time_s) {
-    nav::Sensed sensed;
-    sensed.report.timestamp_s = time_s;
-    sensed.by_camera = false;
-    sensed.report.end_of_cycle = true;
+nav::SensorUpdate update(const VirtualScan& scan, const sim::LidarParams& lidar, double time_s) {
+    nav::SensorUpdate update;
+    update.report.timestamp_s = time_s;
+    update.by_camera = false;
+    update.report.end_of_cycle = true;
     for (std::size_t i = 0; i < scan.beams.size(); ++i) {
         const Beam& beam = scan.beams[i];
         const double bearing_rad = scan.first_bearing_rad + static_cast<double>(i) * scan.step_rad;
@@ -31,12 +31,12 @@ nav::Sensed sensed(const VirtualScan& scan, const sim::LidarParams& lidar, doubl
             ObstaclePoint point;
             point.position_m << beam.range_m * direction, lidar.height_m;
             point.sigma_m = 0.01;
-            sensed.points.push_back(point);
+            update.points.push_back(point);
         }
         const double far_m = beam.range_m - (beam.kind == BeamKind::Obstacle ? 0.1 : 0.0);
-        if (far_m > 0.0) sensed.ground.push_back({Vector2d::Zero(), far_m * direction});
+        if (far_m > 0.0) update.ground.push_back({Vector2d::Zero(), far_m * direction});
     }
-    return sensed;
+    return update;
 }
 
 /// The simulated robot: its wheels, its sensor, and what is true of it. Times are seconds since the start.
@@ -48,7 +48,7 @@ class SimulatedRobot : public nav::RobotBase, public SensorFeed, public Witness 
           observer_(observer),
           vehicle_(options.config.navigation.robot, options.start),
           wheels_(options.odometry),
-          state_(make_state(options.config)) {
+          state_(config::make_state(options.config)) {
         if (options.sensor == SensorKind::Flow) camera_.emplace(options.world, options.camera);
     }
 
@@ -68,10 +68,10 @@ class SimulatedRobot : public nav::RobotBase, public SensorFeed, public Witness 
 
     void drive(const MotionCommand& command) override { vehicle_.command(clock_.now_s(), command); }
 
-    std::vector<nav::Sensed> arrived() override {
-        std::vector<nav::Sensed> due;
+    std::vector<nav::SensorUpdate> arrived() override {
+        std::vector<nav::SensorUpdate> due;
         while (!arriving_.empty() && arriving_.front().time_s <= clock_.now_s()) {
-            due.push_back(std::move(arriving_.front().sensed));
+            due.push_back(std::move(arriving_.front().update));
             arriving_.pop_front();
         }
         return due;
@@ -93,7 +93,7 @@ class SimulatedRobot : public nav::RobotBase, public SensorFeed, public Witness 
   private:
     struct Arriving {
         double time_s;
-        nav::Sensed sensed;
+        nav::SensorUpdate update;
     };
 
     void take_fields(double until_s) {
@@ -110,7 +110,7 @@ class SimulatedRobot : public nav::RobotBase, public SensorFeed, public Witness 
             }
             const pipeline::Step& step = pipeline::step(state_, field);
             observer_.on_field(field, step);
-            send(time_s, sensed_of(step, field, images_, epoch_s));
+            send(time_s, sensor_update_of(step, field, images_, epoch_s));
         }
     }
 
@@ -118,17 +118,17 @@ class SimulatedRobot : public nav::RobotBase, public SensorFeed, public Witness 
         for (; field_ / options_.lidar.rate_hz <= until_s; ++field_) {
             const double time_s = field_ / options_.lidar.rate_hz;
             vehicle_.advance(time_s);
-            send(time_s, sensed(sim::scan(options_.world, options_.lidar, vehicle_.pose(), time_s),
+            send(time_s, update(sim::scan(options_.world, options_.lidar, vehicle_.pose(), time_s),
                                 options_.lidar, time_s));
         }
     }
 
-    void send(double time_s, nav::Sensed sensed) {
+    void send(double time_s, nav::SensorUpdate update) {
         const double more_s = options_.faults.field_delay_s ? options_.faults.field_delay_s(time_s) : 0.0;
-        arriving_.push_back({time_s + options_.latency_s + more_s, std::move(sensed)});
+        arriving_.push_back({time_s + options_.latency_s + more_s, std::move(update)});
     }
 
-    /// Way points before the goal are the pilot's business.
+    /// Way points before the goal are the recovery manager's business.
     bool is_at_goal(bool last_goal) const {
         if (options_.goals_m.empty() || options_.waypoint_robot_m) return false;
         const Vector2d at(vehicle_.pose().x_m, vehicle_.pose().y_m);
@@ -156,11 +156,11 @@ class WithEpoch : public DriveObserver {
     void on_odometry(double timestamp_s, const Pose2& T_odom_robot) override {
         observer_.on_odometry(epoch_s + timestamp_s, T_odom_robot);
     }
-    void on_decision(const DriveSample& sample, const nav::Autopilot& autopilot) override {
-        observer_.on_decision(sample, autopilot);
+    void on_decision(const DriveSample& sample, const nav::NavigationStack& stack) override {
+        observer_.on_decision(sample, stack);
     }
     void on_tick(const DriveSample& sample) override { observer_.on_tick(sample); }
-    void on_end(const nav::Autopilot& autopilot) override { observer_.on_end(autopilot); }
+    void on_end(const nav::NavigationStack& stack) override { observer_.on_end(stack); }
 
   private:
     DriveObserver& observer_;
@@ -178,4 +178,4 @@ DriveResult simulate_drive(const SimulatedDriveOptions& options, DriveObserver& 
     return drive(driving, {clock, robot, robot, &robot}, recorder);
 }
 
-}  // namespace flownav
+}  // namespace flownav::drive

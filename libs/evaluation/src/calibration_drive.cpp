@@ -7,13 +7,13 @@
 #include "flownav/config/make_state.h"
 #include "flownav/pipeline/pipeline.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 namespace {
 
 constexpr std::size_t most_pairs = 1200;
 
 /// A pitch that changes on the way is of no use here.
-Config without_learning(Config config) {
+config::Config without_learning(config::Config config) {
     config.pipeline.pitch_online = false;
     return config;
 }
@@ -21,7 +21,7 @@ Config without_learning(Config config) {
 /// Keeps what is needed of the steps.
 class Collector {
   public:
-    explicit Collector(const Config& config) : state_(make_state(without_learning(config))) {}
+    explicit Collector(const config::Config& config) : state_(config::make_state(without_learning(config))) {}
 
     void take(const Field& field) {
         const pipeline::Step& step = pipeline::step(state_, field);
@@ -69,22 +69,22 @@ class Collector {
 
 }  // namespace
 
-CalibrationDrive collect_pairs(const std::filesystem::path& input, const Config& config,
-                               std::uint64_t cycles_max, Progress& progress) {
-    RawlogReader reader(input);
-    FieldSource source(reader, config.camera);
+CalibrationDrive collect_pairs(const std::filesystem::path& input, const config::Config& config,
+                               std::uint64_t cycles_max, cli::Progress& progress) {
+    io::RawlogReader reader(input);
+    io::FieldSource source(reader, config.camera);
     Collector collector(config);
     CalibrationDrive& drive = collector.drive;
     try {
         while (const auto event = source.next()) {
             if (const auto* field = std::get_if<Field>(&*event)) collector.take(*field);
-            const auto* pose = std::get_if<PoseSample>(&*event);
-            if (pose != nullptr && pose->source == PoseSample::Source::Odometry)
+            const auto* pose = std::get_if<io::PoseSample>(&*event);
+            if (pose != nullptr && pose->source == io::PoseSample::Source::Odometry)
                 drive.odometry.add(pose->timestamp_s, pose->pose);
             progress.update(reader.progress(), drive.fields);
             if (cycles_max > 0 && drive.cycles >= cycles_max) break;
         }
-    } catch (const ConfigError& error) {
+    } catch (const config::ConfigError& error) {
         if (drive.fields == 0) throw;
         drive.stop_reason = error.what();
     }
@@ -94,4 +94,4 @@ CalibrationDrive collect_pairs(const std::filesystem::path& input, const Config&
     return std::move(drive);
 }
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

@@ -5,7 +5,7 @@
 
 #include "flownav/cli/number_text.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 namespace {
 
 constexpr double deg = M_PI / 180;
@@ -29,10 +29,10 @@ void check_angle(CameraCheck& check, int i, const char* key, double assumed_rad)
         std::abs(error_deg) < significant * sigma_deg)
         return;
     check.verdict = "pose_contradicts_flow";
-    check.warnings.push_back("camera." + std::string(key) + " = " + fixed_text(assumed_rad / deg, 2) +
+    check.warnings.push_back("camera." + std::string(key) + " = " + cli::fixed_text(assumed_rad / deg, 2) +
                              " contradicts the flow of the floor, which looks like " +
-                             fixed_text(assumed_rad / deg + error_deg, 1) + " (uncertainty " +
-                             fixed_text(std::max(sigma_deg, matching_sigma_deg), 1) + ")" + advice);
+                             cli::fixed_text(assumed_rad / deg + error_deg, 1) + " (uncertainty " +
+                             cli::fixed_text(std::max(sigma_deg, matching_sigma_deg), 1) + ")" + advice);
 }
 
 void check_height(CameraCheck& check) {
@@ -45,10 +45,10 @@ void check_height(CameraCheck& check) {
     if (check.warnings.empty()) check.verdict = "height_contradicts_odometry";
     const bool centimetres = std::abs(std::log(ratio * 100)) < unit_tolerance;
     check.warnings.push_back(
-        "camera.height_m = " + fixed_text(check.height_m, 3) +
-        " contradicts the odometry: its distances are " + fixed_text(ratio, ratio < 0.1 ? 4 : 2) +
-        " times those of the flow, so the height looks like " + fixed_text(check.height_m * ratio, 3) + " m" +
-        (centimetres ? "; was it given in centimetres?" : "") +
+        "camera.height_m = " + cli::fixed_text(check.height_m, 3) +
+        " contradicts the odometry: its distances are " + cli::fixed_text(ratio, ratio < 0.1 ? 4 : 2) +
+        " times those of the flow, so the height looks like " + cli::fixed_text(check.height_m * ratio, 3) +
+        " m" + (centimetres ? "; was it given in centimetres?" : "") +
         " (flownav-calibrate --odometry estimates it)");
 }
 
@@ -62,12 +62,12 @@ void CameraChecker::take(const Field& field, const pipeline::Step& step) {
             if (block.fresh) rays_.push_back(block.ray);
         CameraModel camera = field.camera;
         camera.mount.pitch_rad += pitch_at_rad_;
-        const PairFit fit = fit_pair(rays_, camera, step.motion, geometry_, {}, scratch_);
+        const motion::PairFit fit = motion::fit_pair(rays_, camera, step.motion, geometry_, {}, scratch_);
         sum_.add(fit.equations, {pitch_at_rad_, 0.0, 0.0});
         near_vectors_ += fit.near_vectors;
         close_vectors_ += fit.close_vectors;
         if (sum_.pairs() >= settling_pairs) {
-            const double found_rad = solve(sum_.total()).correction_rad[0];
+            const double found_rad = motion::solve(sum_.total()).correction_rad[0];
             pitch_at_rad_ = std::clamp(found_rad, -pitch_at_max_rad, pitch_at_max_rad);
         }
         if (step.motion.forward_measured)
@@ -95,4 +95,4 @@ CameraCheck CameraChecker::result(const PoseTrack& odometry) const {
     return check;
 }
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

@@ -5,7 +5,7 @@
 
 #include "flownav/cli/number_text.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 
 namespace {
 
@@ -26,15 +26,15 @@ EgomotionCsv::EgomotionCsv(const std::filesystem::path& path) : file_(path) {
 void EgomotionCsv::write(const pipeline::Step& step) {
     const bool turn_known = step.status == FieldStatus::Ok;
     const bool speed_known = step.status != FieldStatus::Waiting;
-    file_.write(row({time_text(step.timestamp_s), to_string(step.status),
-                     turn_known ? fixed_text(step.omega_radps, 6) : "",
-                     turn_known ? fixed_text(step.pitch_rate_radps, 6) : "",
-                     speed_known ? fixed_text(step.v_mps, 6) : "", step.v_measured ? "1" : "0",
+    file_.write(row({cli::time_text(step.timestamp_s), to_string(step.status),
+                     turn_known ? cli::fixed_text(step.omega_radps, 6) : "",
+                     turn_known ? cli::fixed_text(step.pitch_rate_radps, 6) : "",
+                     speed_known ? cli::fixed_text(step.v_mps, 6) : "", step.v_measured ? "1" : "0",
                      std::to_string(step.image_of_cycle), std::to_string(step.counts.placed),
                      std::to_string(step.counts.confident), std::to_string(step.counts.inliers),
                      std::to_string(step.counts.ground_window), std::to_string(step.obstacles.size()),
-                     fixed_text(step.carried.since_s, 6), fixed_text(step.carried.sigma_m, 4),
-                     fixed_text(step.carried.sigma_rad, 5)}));
+                     cli::fixed_text(step.carried.since_s, 6), cli::fixed_text(step.carried.sigma_m, 4),
+                     cli::fixed_text(step.carried.sigma_rad, 5)}));
 }
 
 ObstaclesCsv::ObstaclesCsv(const std::filesystem::path& path) : file_(path) {
@@ -43,11 +43,11 @@ ObstaclesCsv::ObstaclesCsv(const std::filesystem::path& path) : file_(path) {
 
 void ObstaclesCsv::write(const pipeline::Step& step) {
     for (const ObstaclePoint& point : step.obstacles) {
-        file_.write(row({time_text(step.timestamp_s), fixed_text(point.position_m.x(), 4),
-                         fixed_text(point.position_m.y(), 4), fixed_text(point.position_m.z(), 4),
-                         fixed_text(point.sigma_m, 4), fixed_text(point.at_px.x(), 2),
-                         fixed_text(point.at_px.y(), 2)}));
+        file_.write(row({cli::time_text(step.timestamp_s), cli::fixed_text(point.position_m.x(), 4),
+                         cli::fixed_text(point.position_m.y(), 4), cli::fixed_text(point.position_m.z(), 4),
+                         cli::fixed_text(point.sigma_m, 4), cli::fixed_text(point.at_px.x(), 2),
+                         cli::fixed_text(point.at_px.y(), 2)}));
     }
 }
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

@@ -4,20 +4,20 @@
 
 #include "flownav/cli/number_text.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 
 const char* end_word(const Drive& drive) {
     if (!drive.stop_reason.empty()) return "unusable_image";
     switch (drive.end.kind) {
-        case ReadEnd::Kind::NotYet:
+        case io::ReadEnd::Kind::NotYet:
             return "not_at_end";
-        case ReadEnd::Kind::Clean:
+        case io::ReadEnd::Kind::Clean:
             return "clean";
-        case ReadEnd::Kind::Truncated:
+        case io::ReadEnd::Kind::Truncated:
             return "truncated";
-        case ReadEnd::Kind::Corrupt:
+        case io::ReadEnd::Kind::Corrupt:
             return "corrupt";
-        case ReadEnd::Kind::UnknownClass:
+        case io::ReadEnd::Kind::UnknownClass:
             return "unknown_class";
     }
     return "unknown";
@@ -26,7 +26,7 @@ const char* end_word(const Drive& drive) {
 std::string end_sentence(const Drive& drive) {
     const bool stopped = !drive.stop_reason.empty();
     const std::string objects = std::to_string(drive.end.objects_read) + " objects";
-    if (drive.end.kind == ReadEnd::Kind::Clean && !stopped) {
+    if (drive.end.kind == io::ReadEnd::Kind::Clean && !stopped) {
         return "The input was read to its clean end (" + objects + ").";
     }
     const std::string problem = "The input could not be read to its end: ";
@@ -61,17 +61,17 @@ std::string carried_warning(const CarriedTime& carried, double carry_max_s) {
     constexpr double worth_a_word_s = 0.5;
     const double usual_s = std::max(worth_a_word_s, share_max * carried.duration_s);
     if (carried.total_s <= usual_s && carried.longest_s <= carry_max_s) return "";
-    return "the motion could not be measured during " + fixed_text(carried.total_s, 1) + " s of " +
-           fixed_text(carried.duration_s, 1) + " s, for " + fixed_text(carried.longest_s, 1) +
-           " s at a stretch: the pose was carried over for up to " + fixed_text(carry_max_s, 1) +
-           " s (motion.carry_max_s), its end may be off by " + fixed_text(carried.sigma_m, 2) +
+    return "the motion could not be measured during " + cli::fixed_text(carried.total_s, 1) + " s of " +
+           cli::fixed_text(carried.duration_s, 1) + " s, for " + cli::fixed_text(carried.longest_s, 1) +
+           " s at a stretch: the pose was carried over for up to " + cli::fixed_text(carry_max_s, 1) +
+           " s (motion.carry_max_s), its end may be off by " + cli::fixed_text(carried.sigma_m, 2) +
            " m; see carried_s in egomotion.csv";
 }
 
 std::string map_warning(int sets, int sets_outside, double half_m) {
     if (sets_outside == 0) return "";
     return "the map lacks " + std::to_string(sets_outside) + " of " + std::to_string(sets) +
-           " cycles, which were seen more than " + fixed_text(half_m, 0) +
+           " cycles, which were seen more than " + cli::fixed_text(half_m, 0) +
            " m from the start: a larger map.resolution_m reaches farther, at most 1000 m";
 }
 
@@ -95,4 +95,4 @@ const char* explain(FieldStatus status) {
     return "";
 }
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace flownav {
+namespace flownav::evaluation {
 
 namespace {
 
@@ -142,9 +142,9 @@ class Comparison {
 
 }  // namespace
 
-FateCounts fates_of(const pipeline::Step& step) {
-    FateCounts counts{};
-    for (const pipeline::BlockRecord& block : step.blocks) ++counts.at(static_cast<std::size_t>(block.fate));
+LabelCounts label_counts_of(const pipeline::Step& step) {
+    LabelCounts counts{};
+    for (const pipeline::BlockRecord& block : step.blocks) ++counts.at(static_cast<std::size_t>(block.label));
     return counts;
 }
 
@@ -164,7 +164,7 @@ FieldRow row_of(const pipeline::Step& step) {
     row.ground_window = step.counts.ground_window;
     row.obstacles = static_cast<int>(step.obstacles.size());
     row.end_of_cycle = step.end_of_cycle;
-    row.fates = fates_of(step);
+    row.labels = label_counts_of(step);
     return row;
 }
 
@@ -193,4 +193,4 @@ const std::array<Figure, 8>& error_figures() {
     return figures;
 }
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

@@ -6,7 +6,7 @@
 #include "flownav/motion/ray_flow.h"
 #include "flownav/motion/robust.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 namespace {
 
 constexpr double deg = M_PI / 180;
@@ -20,7 +20,7 @@ constexpr double travel_min_m = 0.01;
 
 }  // namespace
 
-void PoseSum::add(PoseEquations pair, const MountAngles& at_rad) {
+void PoseSum::add(motion::PoseEquations pair, const motion::MountAngles& at_rad) {
     if (pair.pairs == 0) return;
     pair.gradient += pair.information * at_rad;
     if (pairs_++ % pairs_per_group_ == 0) groups_.emplace_back();
@@ -28,28 +28,28 @@ void PoseSum::add(PoseEquations pair, const MountAngles& at_rad) {
     total_ += pair;
 }
 
-PoseCorrection PoseSum::solution(const AngleMask& unknown) const {
-    PoseEquations all = only(total_, unknown);
-    const MountAngles correction = solve(all).correction_rad;
+motion::PoseCorrection PoseSum::solution(const motion::AngleMask& unknown) const {
+    motion::PoseEquations all = motion::select(total_, unknown);
+    const motion::MountAngles correction = motion::solve(all).correction_rad;
     all.scatter.setZero();
     all.gradient.setZero();
-    for (const PoseEquations& group : groups_) {
-        const PoseEquations part = only(group, unknown);
-        const MountAngles rest = part.gradient - part.information * correction;
+    for (const motion::PoseEquations& group : groups_) {
+        const motion::PoseEquations part = motion::select(group, unknown);
+        const motion::MountAngles rest = part.gradient - part.information * correction;
         all.scatter += rest * rest.transpose();
     }
-    return {correction, solve(all).sigma_rad};
+    return {correction, motion::solve(all).sigma_rad};
 }
 
-SeenPair seen(const CalibrationPair& pair, const MountAngles& correction_rad) {
+SeenPair seen(const CalibrationPair& pair, const motion::MountAngles& correction_rad) {
     CameraModel reference = pair.reference;
     CameraModel newer = pair.newer;
-    reference.mount = corrected(reference.mount, correction_rad);
-    newer.mount = corrected(newer.mount, correction_rad);
+    reference.mount = motion::corrected(reference.mount, correction_rad);
+    newer.mount = motion::corrected(newer.mount, correction_rad);
     SeenPair s{reference, RayMapper(reference), RayMapper(newer), {}};
     s.rays.reserve(pair.vectors.size());
     for (const FlowVector& v : pair.vectors)
-        s.rays.push_back(ray_flow(v, s.reference, s.newer, Geometry::MidPoint));
+        s.rays.push_back(motion::ray_flow(v, s.reference, s.newer, Geometry::MidPoint));
     return s;
 }
 
@@ -57,23 +57,23 @@ namespace {
 
 /// Deviation about the middle: a camera that is wrong makes a constant pitch of constant travel.
 double steadiness_of(std::vector<double>& turns_rad) {
-    const double centre = shorth(turns_rad);
+    const double centre = motion::shorth(turns_rad);
     for (double& t : turns_rad) t -= centre;
-    return std::max(robust_deviation(turns_rad), steadiness_min_rad);
+    return std::max(motion::robust_deviation(turns_rad), steadiness_min_rad);
 }
 
 /// One Gauss-Newton step. `pitches` and `rolls` become those of the pairs.
-double improve(const std::vector<CalibrationPair>& pairs, const AngleMask& unknown, AnglesFit& fit,
+double improve(const std::vector<CalibrationPair>& pairs, const motion::AngleMask& unknown, AnglesFit& fit,
                std::vector<double>& pitches, std::vector<double>& rolls) {
-    PoseScratch scratch;
+    motion::PoseScratch scratch;
     PoseSum sum(std::max(1, static_cast<int>(pairs.size()) / groups_wanted));
     double near = 0, close = 0;
     pitches.clear();
     rolls.clear();
     for (const CalibrationPair& pair : pairs) {
         const SeenPair s = seen(pair, fit.correction_rad);
-        const PairFit one =
-            fit_pair(s.rays, s.camera, pair.motion, Geometry::MidPoint, fit.steadiness, scratch);
+        const motion::PairFit one =
+            motion::fit_pair(s.rays, s.camera, pair.motion, Geometry::MidPoint, fit.pitch_prior, scratch);
         sum.add(one.equations);
         near += one.near_vectors;
         close += one.close_vectors;
@@ -81,8 +81,8 @@ double improve(const std::vector<CalibrationPair>& pairs, const AngleMask& unkno
         pitches.push_back(one.pitch_rad);
         rolls.push_back(one.roll_rad);
     }
-    const PoseCorrection step = sum.solution(unknown);
-    const MountAngles systematic = systematic_sigma_rad(only(sum.total(), unknown));
+    const motion::PoseCorrection step = sum.solution(unknown);
+    const motion::MountAngles systematic = motion::systematic_sigma_rad(motion::select(sum.total(), unknown));
     const double length = step.correction_rad.norm();
     fit.correction_rad += step.correction_rad * std::min(1.0, step_max_rad / std::max(length, 1e-12));
     fit.sigma_rad = (step.sigma_rad.array().square() + systematic.array().square()).sqrt();
@@ -94,8 +94,8 @@ double improve(const std::vector<CalibrationPair>& pairs, const AngleMask& unkno
 
 }  // namespace
 
-AnglesFit fit_angles(const std::vector<CalibrationPair>& pairs, const MountAngles& start_rad,
-                     const AngleMask& unknown) {
+AnglesFit fit_angles(const std::vector<CalibrationPair>& pairs, const motion::MountAngles& start_rad,
+                     const motion::AngleMask& unknown) {
     AnglesFit fit;
     fit.correction_rad = start_rad;
     std::vector<double> pitches, rolls;
@@ -103,7 +103,7 @@ AnglesFit fit_angles(const std::vector<CalibrationPair>& pairs, const MountAngle
         fit.settled = false;
         for (int round = 0; round < rounds_max && !fit.settled; ++round)
             fit.settled = improve(pairs, unknown, fit, pitches, rolls) < settled_rad;
-        if (!last) fit.steadiness = {steadiness_of(pitches), steadiness_of(rolls)};
+        if (!last) fit.pitch_prior = {steadiness_of(pitches), steadiness_of(rolls)};
     }
     return fit;
 }
@@ -127,17 +127,17 @@ std::optional<ScaleFit> fit_scale(const std::vector<TravelPiece>& flow, const Po
     }
     if (static_cast<int>(pieces.size()) < scale_pairs_min) return std::nullopt;
     ScaleFit fit;
-    fit.ratio = shorth(ratios);
+    fit.ratio = motion::shorth(ratios);
     for (int step = 0; step < 8; ++step) {
         std::vector<double> residuals;
         residuals.reserve(pieces.size());
         for (const Piece& p : pieces) residuals.push_back(p.odometry_m - fit.ratio * p.flow_m);
         std::vector<double> work = residuals;
-        const double deviation_m = std::max(robust_deviation(work), 1e-9);
+        const double deviation_m = std::max(motion::robust_deviation(work), 1e-9);
         double flow_m = 0, odometry_m = 0;
         fit.pairs = 0;
         for (std::size_t i = 0; i < pieces.size(); ++i) {
-            const double weight = biweight(residuals[i] / deviation_m);
+            const double weight = motion::biweight(residuals[i] / deviation_m);
             flow_m += weight * pieces[i].flow_m;
             odometry_m += weight * pieces[i].odometry_m;
             fit.pairs += weight > 0.0;
@@ -149,4 +149,4 @@ std::optional<ScaleFit> fit_scale(const std::vector<TravelPiece>& flow, const Po
     return fit;
 }
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace flownav {
+namespace flownav::evaluation {
 
 namespace {
 
@@ -63,4 +63,4 @@ std::vector<TimedPose> PoseTrack::aligned(double start_s) const {
     return result;
 }
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

@@ -9,7 +9,7 @@
 #include "flownav/core/version.h"
 #include "flownav/evaluation/summary_facts.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 
 namespace {
 
@@ -31,7 +31,7 @@ Json input_part(const Drive& drive) {
             {"byte_offset", drive.end.byte_offset}};
 }
 
-Json read_part(const InputCounts& read) {
+Json read_part(const io::InputCounts& read) {
     return {{"objects", read.objects},
             {"images", read.images},
             {"fields", read.fields},
@@ -97,7 +97,7 @@ Json errors_part(const std::optional<Errors>& errors) {
 }
 
 Json camera_check_part(const CameraCheck& check) {
-    const auto angle = [&check](const MountAngles& angles, int i) {
+    const auto angle = [&check](const motion::MountAngles& angles, int i) {
         return check.angles_known ? rounded(angles[i] * 180.0 / M_PI) : Json(nullptr);
     };
     Json part = {
@@ -114,10 +114,10 @@ Json camera_check_part(const CameraCheck& check) {
     return part;
 }
 
-Json config_part(const Config& config) {
-    const mrpt::config::CConfigFileMemory ini(dump_config(config));
+Json config_part(const config::Config& config) {
+    const mrpt::config::CConfigFileMemory ini(config::dump_config(config));
     Json part = Json::object();
-    for (const ConfigKey& key : config_keys()) {
+    for (const config::ConfigKey& key : config::config_keys()) {
         part[key.section][key.name] = ini.read_string(key.section, key.name, key.default_value);
     }
     return part;
@@ -144,7 +144,7 @@ Json times_per_field(const std::vector<FieldTimes>& fields) {
 
 }  // namespace
 
-Json summary_facts(const Drive& drive, const Config& config) {
+Json summary_facts(const Drive& drive, const config::Config& config) {
     Json summary;
     summary["program"] = "flownav-replay";
     summary["version"] = version();
@@ -181,7 +181,7 @@ Json timing_facts(const Timing& timing) {
             {"per_field", times_per_field(timing.fields)}};
 }
 
-std::string summary_json(const Drive& drive, const Config& config, const Timing& timing) {
+std::string summary_json(const Drive& drive, const config::Config& config, const Timing& timing) {
     Json summary = summary_facts(drive, config);
     summary["timing"] = timing_facts(timing);
     const std::string mark = "times per field";
@@ -192,4 +192,4 @@ std::string summary_json(const Drive& drive, const Config& config, const Timing&
     return text.replace(at, mark.size() + 2, per_field.dump());  // lists of numbers in one line
 }
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

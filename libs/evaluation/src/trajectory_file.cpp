@@ -5,7 +5,7 @@
 
 #include "flownav/cli/number_text.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 
 namespace {
 
@@ -17,10 +17,11 @@ constexpr int rotation_decimals = 9;
 void TrajectoryFile::write(double timestamp_s, const mrpt::math::TPose3D& pose) {
     mrpt::math::CQuaternionDouble q;
     mrpt::poses::CPose3D(pose).getAsQuaternion(q);
-    std::string line = time_text(timestamp_s);
+    std::string line = cli::time_text(timestamp_s);
     for (const double coordinate : {pose.x, pose.y, pose.z})
-        line += ' ' + fixed_text(coordinate, position_decimals);
-    for (const double part : {q.x(), q.y(), q.z(), q.r()}) line += ' ' + fixed_text(part, rotation_decimals);
+        line += ' ' + cli::fixed_text(coordinate, position_decimals);
+    for (const double part : {q.x(), q.y(), q.z(), q.r()})
+        line += ' ' + cli::fixed_text(part, rotation_decimals);
     file_.write(line + '\n');
 }
 
@@ -28,4 +29,4 @@ void TrajectoryFile::write(double timestamp_s, const Pose2& pose) {
     write(timestamp_s, mrpt::math::TPose3D(pose.x_m, pose.y_m, 0.0, pose.yaw_rad, 0.0, 0.0));
 }
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

@@ -8,7 +8,7 @@
 #include "flownav/flow/block_bounds.h"
 #include "flownav/flow/match_blocks.h"
 
-namespace flownav {
+namespace flownav::flow {
 namespace {
 
 using Points = std::vector<cv::Point2f>;
@@ -168,4 +168,4 @@ void LkMatcher::operator()(const ImageView& reference, const ImageView& newer, c
     }
 }
 
-}  // namespace flownav
+}  // namespace flownav::flow

@@ -12,7 +12,7 @@
 #include "flownav/flow/brightness.h"
 #include "flownav/flow/kernel.h"
 
-namespace flownav {
+namespace flownav::flow {
 
 /// What the pixels of one 16x16 block add up to.
 struct BlockSums {
@@ -87,4 +87,4 @@ inline GreyBlock shown_block(const std::uint8_t* block, std::ptrdiff_t stride, c
 
 #endif
 
-}  // namespace flownav
+}  // namespace flownav::flow

@@ -9,7 +9,7 @@
 #include "flownav/core/plane_geometry.h"
 #include "flownav/flow/kernel.h"
 
-namespace flownav {
+namespace flownav::flow {
 namespace {
 
 using Eigen::Vector2d;
@@ -42,7 +42,7 @@ struct Density {
     Cumulative share;
 };
 
-Row density_of_row(const RayMapper& mapper, int v, double blind_cone, bool window_only) {
+Row density_of_row(const RayMapper& mapper, int v, double focus_exclusion, bool window_only) {
     const CameraModel& camera = mapper.camera();
     const PlaneGeometry plane(camera.mount);
     Row row;
@@ -50,7 +50,7 @@ Row density_of_row(const RayMapper& mapper, int v, double blind_cone, bool windo
         const Vector2d centre(u + half_block_px, v + half_block_px);
         if (window_only && !in_ground_window(centre, camera)) continue;
         const Vector2d at = mapper.ray(centre);
-        if (plane.e(at).norm() < blind_cone) continue;
+        if (plane.e(at).norm() < focus_exclusion) continue;
         const double far = 1.0 / std::max(plane.below_horizon(at), density_floor);
         row.corner_px.emplace_back(u, v);
         row.share.add(far * far);
@@ -58,10 +58,10 @@ Row density_of_row(const RayMapper& mapper, int v, double blind_cone, bool windo
     return row;
 }
 
-Density density_over(const RayMapper& mapper, double blind_cone, bool window_only) {
+Density density_over(const RayMapper& mapper, double focus_exclusion, bool window_only) {
     Density density;
     for (int v = 0; v + block_px <= mapper.camera().height_px; ++v) {
-        Row row = density_of_row(mapper, v, blind_cone, window_only);
+        Row row = density_of_row(mapper, v, focus_exclusion, window_only);
         if (row.corner_px.empty()) continue;
         density.share.add(row.share.total());
         density.rows.push_back(std::move(row));
@@ -118,9 +118,9 @@ BlockLayout place_blocks(const RayMapper& mapper, const FlowParams& params) {
     const CameraModel& camera = mapper.camera();
     BlockLayout layout;
     const int in_window = std::min(ground_window_min, params.blocks);
-    sample_into(layout, density_over(mapper, params.blind_cone, true), in_window);
+    sample_into(layout, density_over(mapper, params.focus_exclusion, true), in_window);
     const int anywhere = params.blocks - static_cast<int>(layout.size());
-    sample_into(layout, density_over(mapper, params.blind_cone, false), anywhere);
+    sample_into(layout, density_over(mapper, params.focus_exclusion, false), anywhere);
     for (const Vector2i& c : layout.corner_px) {
         layout.centre_px.emplace_back(c.x() + half_block_px, c.y() + half_block_px);
         layout.in_ground_window.push_back(in_ground_window(layout.centre_px.back(), camera) ? 1 : 0);
@@ -146,4 +146,4 @@ BlockLayout every_nth(const BlockLayout& layout, std::size_t n) {
     return part;
 }
 
-}  // namespace flownav
+}  // namespace flownav::flow

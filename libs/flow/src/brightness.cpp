@@ -8,7 +8,7 @@
 #include "flownav/flow/block_bounds.h"
 #include "flownav/math/order_statistic.h"
 
-namespace flownav {
+namespace flownav::flow {
 namespace {
 
 constexpr double block_pixels = static_cast<double>(block_px) * block_px;
@@ -98,4 +98,4 @@ Brightness compare_brightness(const ImageView& reference, const ImageView& newer
     return b;
 }
 
-}  // namespace flownav
+}  // namespace flownav::flow

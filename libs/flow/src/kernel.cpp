@@ -7,7 +7,7 @@
 
 #include "kernels/units.h"
 
-namespace flownav {
+namespace flownav::flow {
 namespace {
 
 constexpr const char* kernel_variable = "FLOWNAV_KERNEL";
@@ -155,4 +155,4 @@ BlockMatch summarise(const SadSurface& surface, const SearchRange& range) {
     return match_of(aligned, kernels::portable::summary_of(aligned), outside);
 }
 
-}  // namespace flownav
+}  // namespace flownav::flow

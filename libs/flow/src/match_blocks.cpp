@@ -7,7 +7,7 @@
 #include "flownav/flow/block_bounds.h"
 #include "flownav/flow/subpixel.h"
 
-namespace flownav {
+namespace flownav::flow {
 namespace {
 
 /// `block`: its top left pixel in the reference, `window`: the pixel at offset (0, 0) in the newer image.
@@ -62,4 +62,4 @@ void match_blocks(const ImageView& reference, const ImageView& newer, const Bloc
         vectors[i] = match_one(reference, newer, layout.corner_px[i], bias_px[i], settings, greys);
 }
 
-}  // namespace flownav
+}  // namespace flownav::flow

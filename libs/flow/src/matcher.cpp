@@ -2,7 +2,7 @@
 
 #include "flownav/flow/block_bounds.h"
 
-namespace flownav {
+namespace flownav::flow {
 
 BlockMatcher::BlockMatcher(const FlowParams& params, int threads, const KernelEntry& kernel)
     : params_(params) {
@@ -22,4 +22,4 @@ void BlockMatcher::operator()(const ImageView& reference, const ImageView& newer
     match_blocks(reference, newer, layout, bias_px_, settings_, vectors);
 }
 
-}  // namespace flownav
+}  // namespace flownav::flow

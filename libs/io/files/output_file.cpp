@@ -6,7 +6,7 @@
 #include <system_error>
 #include <vector>
 
-namespace flownav {
+namespace flownav::io {
 
 namespace {
 
@@ -93,4 +93,4 @@ uint64_t GzOutputFile::Seek(int64_t /*offset*/, TSeekOrigin /*origin*/) {
     throw std::logic_error("GzOutputFile cannot seek");
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -3,7 +3,7 @@
 #include <memory>
 #include <opencv2/videoio.hpp>
 
-namespace flownav {
+namespace flownav::io {
 
 namespace {
 
@@ -26,9 +26,9 @@ class OpenCvEncoder : public VideoEncoder {
 
 }  // namespace
 
-}  // namespace flownav
+}  // namespace flownav::io
 
-extern "C" flownav::VideoEncoder* flownav_make_video_encoder();
-flownav::VideoEncoder* flownav_make_video_encoder() {
-    return std::make_unique<flownav::OpenCvEncoder>().release();
+extern "C" flownav::io::VideoEncoder* flownav_make_video_encoder();
+flownav::io::VideoEncoder* flownav_make_video_encoder() {
+    return std::make_unique<flownav::io::OpenCvEncoder>().release();
 }

@@ -3,7 +3,7 @@
 #include <opencv2/core/mat.hpp>
 #include <string>
 
-namespace flownav {
+namespace flownav::io {
 
 /// What libflownav-video.so gives to a VideoOutputFile: OpenCV's encoder, one of them for one video.
 class VideoEncoder {
@@ -21,4 +21,4 @@ class VideoEncoder {
 using MakeVideoEncoder = VideoEncoder*();
 constexpr const char* make_video_encoder_symbol = "flownav_make_video_encoder";
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -8,13 +8,14 @@
 #include "flownav/io/camera_conversion.h"
 #include "flownav/io/rawlog_reader.h"
 
-namespace flownav {
+namespace flownav::io {
 
 struct VideoFile::Capture {
     cv::VideoCapture video;
 };
 
-VideoFile::VideoFile(const std::filesystem::path& file, CameraConfig camera, std::optional<double> rate_hz)
+VideoFile::VideoFile(const std::filesystem::path& file, config::CameraConfig camera,
+                     std::optional<double> rate_hz)
     : capture_(std::make_unique<Capture>()), camera_(std::move(camera)) {
     if (!std::filesystem::exists(file)) throw InputError(file.string() + ": no such file");
     if (!std::filesystem::is_regular_file(file)) throw InputError(file.string() + ": is not a file");
@@ -51,4 +52,4 @@ std::optional<SequenceFrame> VideoFile::next() {
     return SequenceFrame{field, std::nullopt};
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -7,7 +7,7 @@
 #include "flownav/io/output_file.h"
 #include "video_encoder.h"
 
-namespace flownav {
+namespace flownav::io {
 
 namespace {
 
@@ -46,4 +46,4 @@ void VideoOutputFile::close() {
         throw OutputError("cannot write " + path_.string() + ": the video is not whole; is the disk full?");
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -8,7 +8,7 @@
 #include "flownav/io/rawlog_reader.h"
 #include "import_files.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -68,7 +68,7 @@ std::vector<double> read_times_file(const fs::path& file) {
     return times_s;
 }
 
-ImageFolder::ImageFolder(const fs::path& directory, CameraConfig camera, const FrameTimes& times)
+ImageFolder::ImageFolder(const fs::path& directory, config::CameraConfig camera, const FrameTimes& times)
     : images_(list_images(directory)), camera_(std::move(camera)) {
     fs::path file = times.file;
     if (file.empty() && !times.rate_hz) file = find_times_file(directory);
@@ -101,4 +101,4 @@ std::optional<SequenceFrame> ImageFolder::next() {
     return std::nullopt;
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

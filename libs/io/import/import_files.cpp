@@ -10,7 +10,7 @@
 #include "flownav/io/picture_file.h"
 #include "flownav/io/rawlog_reader.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -136,4 +136,4 @@ CameraModel kitti_camera(const std::map<std::string, std::vector<double>>& calib
     return camera;
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

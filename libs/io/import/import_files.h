@@ -9,7 +9,7 @@
 
 /// What the importers share: pictures and the small text files of data sets. All throw InputError, naming the
 /// file, unless said otherwise.
-namespace flownav {
+namespace flownav::io {
 
 void require_directory(const std::filesystem::path& directory);
 
@@ -31,4 +31,4 @@ std::map<std::string, std::vector<double>> read_kitti_calibration(const std::fil
 CameraModel kitti_camera(const std::map<std::string, std::vector<double>>& calibration,
                          const std::string& key, const std::filesystem::path& file, const CameraMount& mount);
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -2,7 +2,7 @@
 #include "flownav/io/rawlog_reader.h"
 #include "import_files.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 std::size_t number_of(const std::filesystem::path& image) {
@@ -40,4 +40,4 @@ std::optional<SequenceFrame> KittiImages::next() {
     return std::nullopt;
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

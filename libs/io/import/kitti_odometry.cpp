@@ -5,7 +5,7 @@
 #include "flownav/io/rawlog_reader.h"
 #include "import_files.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -55,4 +55,4 @@ KittiOdometry::KittiOdometry(const fs::path& directory, const std::string& seque
     if (fs::exists(poses)) T_start_robot_ = axis_poses(poses, mount);
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -6,7 +6,7 @@
 #include "flownav/io/rawlog_reader.h"
 #include "import_files.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -91,4 +91,4 @@ KittiRaw::KittiRaw(const fs::path& date_directory, const std::string& drive, dou
     T_start_robot_ = oxts_poses(folder / "oxts" / "data", times_s_.size());
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

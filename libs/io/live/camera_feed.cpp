@@ -10,7 +10,7 @@
 
 #include "flownav/io/rawlog_reader.h"
 
-namespace flownav::producer {
+namespace flownav::io {
 namespace {
 
 using mrpt::obs::CObservation;
@@ -101,4 +101,4 @@ std::unique_ptr<FieldFeed> open_camera(const ProducerSettings& settings) {
     return feed;
 }
 
-}  // namespace flownav::producer
+}  // namespace flownav::io

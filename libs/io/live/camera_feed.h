@@ -7,7 +7,7 @@
 
 #include "field_feed.h"
 
-namespace flownav::producer {
+namespace flownav::io {
 
 /// Whatever CCameraSensor can open. Cameras and streams never end regularly.
 class CameraFeed : public FieldFeed {
@@ -50,4 +50,4 @@ std::unique_ptr<CameraFeed> make_video_feed(const ProducerSettings& settings, co
 /// A folder of numbered images. Throws InputError, and ConfigError about the keys that describe the folder.
 std::unique_ptr<CameraFeed> make_folder_feed(ProducerSettings settings);
 
-}  // namespace flownav::producer
+}  // namespace flownav::io

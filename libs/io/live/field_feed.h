@@ -8,7 +8,7 @@
 
 #include "flownav/io/producer_settings.h"
 
-namespace flownav::producer {
+namespace flownav::io {
 
 /// Where observations come from, one after the other.
 class FieldFeed {
@@ -41,4 +41,4 @@ class FieldFeed {
 std::unique_ptr<FieldFeed> open_rawlog(const ProducerSettings& settings);
 std::unique_ptr<FieldFeed> open_camera(const ProducerSettings& settings);
 
-}  // namespace flownav::producer
+}  // namespace flownav::io

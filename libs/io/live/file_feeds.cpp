@@ -8,7 +8,7 @@
 #include "flownav/io/rawlog_reader.h"
 #include "numbered_files.h"
 
-namespace flownav::producer {
+namespace flownav::io {
 namespace {
 
 /// Images that were taken at a constant rate; MRPT would stamp them with the time of decoding.
@@ -81,7 +81,7 @@ int index_of(const ProducerSettings& settings, const char* key, int otherwise) {
     try {
         return std::stoi(text);
     } catch (const std::exception&) {
-        throw ConfigError(std::string(key) + " = " + text + " is not a whole number");
+        throw config::ConfigError(std::string(key) + " = " + text + " is not a whole number");
     }
 }
 
@@ -101,7 +101,7 @@ std::unique_ptr<CameraFeed> make_video_feed(const ProducerSettings& settings, co
 
 std::unique_ptr<CameraFeed> make_folder_feed(ProducerSettings settings) {
     if (!settings.rate_hz) {
-        throw ConfigError(
+        throw config::ConfigError(
             "rate_hz is missing: the images of a folder do not tell how many there were a second");
     }
     if (!std::filesystem::is_directory(settings.source))
@@ -120,4 +120,4 @@ std::unique_ptr<CameraFeed> make_folder_feed(ProducerSettings settings) {
     return std::make_unique<FolderFeed>(settings, *settings.rate_hz, std::move(files), first, last);
 }
 
-}  // namespace flownav::producer
+}  // namespace flownav::io

@@ -24,8 +24,8 @@ CFlowObstacleSensor::~CFlowObstacleSensor() = default;
 void CFlowObstacleSensor::loadConfig_sensorSpecific(const mrpt::config::CConfigFileBase& ini,
                                                     const std::string& section) {
     try {
-        settings_ = read_producer_settings(ini, section);
-    } catch (const ConfigError&) {
+        settings_ = io::read_producer_settings(ini, section);
+    } catch (const config::ConfigError&) {
         m_state = ssError;
         throw;
     }
@@ -39,7 +39,7 @@ void CFlowObstacleSensor::initialize() {
         MRPT_LOG_ERROR_STREAM(error.what());
         throw;
     }
-    state_.emplace(make_state(settings_.config));
+    state_.emplace(config::make_state(settings_.config));
     m_state = ssWorking;
 }
 
@@ -52,17 +52,17 @@ void CFlowObstacleSensor::doProcess() {
             evaluate(*field, batch);
             break;
         }
-        const auto& sample = std::get<PoseSample>(*event);
+        const auto& sample = std::get<io::PoseSample>(*event);
         latest_s_ = std::max(latest_s_, sample.timestamp_s);
-        const bool odometry = sample.source == PoseSample::Source::Odometry;
-        if (odometry && settings_.use_odometry) batch.push_back(odometry_observation(sample));
+        const bool odometry = sample.source == io::PoseSample::Source::Odometry;
+        if (odometry && settings_.use_odometry) batch.push_back(io::odometry_observation(sample));
     }
     if (ended()) end(batch);
     if (!batch.empty()) appendObservations(batch);
 }
 
 /// Nothing: the end, or the next field is not due yet.
-std::optional<SensorEvent> CFlowObstacleSensor::next_due() {
+std::optional<io::SensorEvent> CFlowObstacleSensor::next_due() {
     auto event = early_ ? std::exchange(early_, std::nullopt) : fields_->next();
     const auto* field = event ? std::get_if<Field>(&*event) : nullptr;
     if (field == nullptr || !settings_.paced) return event;
@@ -77,12 +77,12 @@ void CFlowObstacleSensor::evaluate(const Field& field, Batch& batch) {
     const pipeline::Step& step = pipeline::step(*state_, field);
     latest_s_ = std::max(latest_s_, field.timestamp_s);
     if (settings_.publish_image) {
-        batch.push_back(image_observation(field, settings_.config.camera.camera_label));
+        batch.push_back(io::image_observation(field, settings_.config.camera.camera_label));
     }
-    add(batch, odometry_observation(step), "_ODOMETRY");
+    add(batch, io::odometry_observation(step), "_ODOMETRY");
     if (!step.end_of_cycle) return;
-    add(batch, scan_observation(step, settings_.config.pipeline.obstacles.range_max_m), "_SCAN");
-    add(batch, points_observation(step), "_POINTS");
+    add(batch, io::scan_observation(step, settings_.config.pipeline.obstacles.range_max_m), "_SCAN");
+    add(batch, io::points_observation(step), "_POINTS");
 }
 
 void CFlowObstacleSensor::add(Batch& batch, const mrpt::obs::CObservation::Ptr& observation,
@@ -111,7 +111,7 @@ void CFlowObstacleSensor::wait_and_throw() {
     calls_since_end_ += 1.0;
     if (calls_since_end_ < settings_.end_wait_s * m_process_rate) return;
     m_state = ssError;
-    if (!error().empty()) throw InputError(end_text_);
+    if (!error().empty()) throw io::InputError(end_text_);
     throw EndOfInput(end_text_);
 }
 

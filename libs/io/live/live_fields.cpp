@@ -2,7 +2,7 @@
 
 #include "field_feed.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 constexpr std::uint64_t patience_images = 100;  ///< of a camera whose images are all rejected
@@ -13,7 +13,7 @@ struct LiveFields::Impl {
     explicit Impl(const ProducerSettings& of)
         : settings(of),
           maker(of.config.camera),
-          feed(of.grabber_type == "rawlog" ? producer::open_rawlog(of) : producer::open_camera(of)) {}
+          feed(of.grabber_type == "rawlog" ? open_rawlog(of) : open_camera(of)) {}
 
     /// Takes in one more observation, or the end.
     void advance() {
@@ -41,7 +41,7 @@ struct LiveFields::Impl {
 
     ProducerSettings settings;
     EventMaker maker;
-    std::unique_ptr<producer::FieldFeed> feed;
+    std::unique_ptr<FieldFeed> feed;
     bool ended = false;  ///< nothing more comes from the feed
     bool told = false;   ///< and nothing more waits in the maker
     std::string error;
@@ -57,7 +57,7 @@ std::optional<SensorEvent> LiveFields::next() {
     while (!event && !impl_->ended) {
         try {
             impl_->advance();
-        } catch (const ConfigError& error) {
+        } catch (const config::ConfigError& error) {
             impl_->end(std::string(error.what()) +
                        " (in the section of the sensor: camera.KEY = VALUE, or flownav_config = FILE)");
         }
@@ -86,4 +86,4 @@ const InputCounts& LiveFields::counts() const {
     return impl_->maker.counts();
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -5,7 +5,7 @@
 
 #include "flownav/config/config.h"
 
-namespace flownav::producer {
+namespace flownav::io {
 
 NumberedFiles::NumberedFiles(std::filesystem::path folder, const std::string& format)
     : folder_(std::move(folder)) {
@@ -16,8 +16,8 @@ NumberedFiles::NumberedFiles(std::filesystem::path folder, const std::string& fo
                             format[letter] == 'd' && format.find('%', letter) == std::string::npos &&
                             width.size() <= 2;
     if (!one_number) {
-        throw ConfigError("left_format = " + format +
-                          " is no name with one number (allowed: such as image_%05d.png)");
+        throw config::ConfigError("left_format = " + format +
+                                  " is no name with one number (allowed: such as image_%05d.png)");
     }
     before_ = format.substr(0, percent);
     zeros_ = !width.empty() && width.front() == '0';
@@ -37,4 +37,4 @@ bool NumberedFiles::exists(int index) const {
     return std::filesystem::is_regular_file(file(index), error);
 }
 
-}  // namespace flownav::producer
+}  // namespace flownav::io

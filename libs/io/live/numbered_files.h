@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-namespace flownav::producer {
+namespace flownav::io {
 
 /// The images of a folder as CCameraSensor names them: a printf format with one number.
 class NumberedFiles {
@@ -20,4 +20,4 @@ class NumberedFiles {
     bool zeros_ = false;
 };
 
-}  // namespace flownav::producer
+}  // namespace flownav::io

@@ -9,7 +9,7 @@
 #include "flownav/config/config_value.h"
 #include "flownav/config/nearest_name.h"
 
-namespace flownav::producer {
+namespace flownav::io {
 namespace {
 
 using mrpt::system::lowerCase;
@@ -37,7 +37,7 @@ struct OwnKey {
 template <class Value>
 OwnKey number(const char* name, const char* unit, Value ProducerSettings::*member,
               config::Range<double> range) {
-    return {name, describe(range) + unit,
+    return {name, config::describe(range) + unit,
             [member, range](ProducerSettings& settings, const std::string& text) {
                 settings.*member = config::parse_number(text, range);
             }};
@@ -150,16 +150,16 @@ void set_producer_value(ProducerSettings& settings, const std::string& key, cons
     try {
         own->set(settings, value);
     } catch (const config::BadValue& error) {
-        throw ConfigError(own->name + " = " + value + " " + error.what() + " (allowed: " + own->allowed +
-                          ")");
+        throw config::ConfigError(own->name + " = " + value + " " + error.what() +
+                                  " (allowed: " + own->allowed + ")");
     }
 }
 
 std::string nearest_producer_key(const std::string& key) {
-    for (const ConfigKey& known : config_keys()) {
+    for (const config::ConfigKey& known : config::config_keys()) {
         if (known.name == lowerCase(key)) return known.section + "." + known.name;
     }
-    return nearest_name(key, all_keys());
+    return config::nearest_name(key, all_keys());
 }
 
-}  // namespace flownav::producer
+}  // namespace flownav::io

@@ -3,7 +3,7 @@
 
 #include "flownav/io/producer_settings.h"
 
-namespace flownav::producer {
+namespace flownav::io {
 
 /// Who reads a key of the section.
 enum class KeyOwner {
@@ -23,4 +23,4 @@ void set_producer_value(ProducerSettings& settings, const std::string& key, cons
 /// The known key that `key` was most likely meant to be.
 std::string nearest_producer_key(const std::string& key);
 
-}  // namespace flownav::producer
+}  // namespace flownav::io

@@ -10,13 +10,12 @@
 
 #include "producer_keys.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 using mrpt::config::CConfigFileBase;
 using mrpt::system::lowerCase;
 using mrpt::system::trim;
-using producer::KeyOwner;
 
 /// The text of a key, or empty.
 std::string text_of(const CConfigFileBase& ini, const std::string& section, const std::string& key) {
@@ -35,24 +34,24 @@ std::vector<std::string> keys_of(const CConfigFileBase& ini, const std::string& 
 /// MRPT would thin out the observations of whole cycles.
 void refuse_decimation(const std::string& key, const std::string& value) {
     if (lowerCase(key) != "grab_decimation" || value == "0" || value == "1") return;
-    throw ConfigError("grab_decimation = " + value +
-                      ": every field is needed; thin out the recording instead (allowed: 0 or 1)");
+    throw config::ConfigError("grab_decimation = " + value +
+                              ": every field is needed; thin out the recording instead (allowed: 0 or 1)");
 }
 
 void set_key(ProducerSettings& settings, const std::string& key, const std::string& value) {
-    switch (producer::owner_of(key)) {
+    switch (owner_of(key)) {
         case KeyOwner::Grabber:
             return refuse_decimation(key, value);
         case KeyOwner::Camera:
             settings.camera_keys[lowerCase(key)] = value;
             return;
         case KeyOwner::Producer:
-            return producer::set_producer_value(settings, key, value);
+            return set_producer_value(settings, key, value);
         case KeyOwner::Flownav:
-            return set_config_value(settings.config, lowerCase(key), value);
+            return config::set_config_value(settings.config, lowerCase(key), value);
         case KeyOwner::Nobody:
-            throw ConfigError("unknown key " + key + "; the nearest known key is " +
-                              producer::nearest_producer_key(key));
+            throw config::ConfigError("unknown key " + key + "; the nearest known key is " +
+                                      nearest_producer_key(key));
     }
 }
 
@@ -69,7 +68,8 @@ std::string source_of(const ProducerSettings& settings) {
     if (key.empty()) return "the camera (grabber_type = " + settings.grabber_type + ")";
     const auto found = settings.camera_keys.find(key);
     if (found == settings.camera_keys.end() || found->second.empty()) {
-        throw ConfigError(key + " is missing: grabber_type = " + settings.grabber_type + " reads from there");
+        throw config::ConfigError(key + " is missing: grabber_type = " + settings.grabber_type +
+                                  " reads from there");
     }
     return found->second;
 }
@@ -79,15 +79,15 @@ ProducerSettings read(const CConfigFileBase& ini, const std::string& section) {
     settings.section = section;
     settings.grabber_type = lowerCase(text_of(ini, section, "grabber_type"));
     if (settings.grabber_type.empty()) {
-        throw ConfigError("grabber_type is missing (opencv, ffmpeg, image_dir, rawlog, ...)");
+        throw config::ConfigError("grabber_type is missing (opencv, ffmpeg, image_dir, rawlog, ...)");
     }
     settings.camera_keys["grabber_type"] = settings.grabber_type;
     const std::string config_file = text_of(ini, section, "flownav_config");
-    if (!config_file.empty()) load_config_file(settings.config, config_file);
+    if (!config_file.empty()) config::load_config_file(settings.config, config_file);
     const std::string label = text_of(ini, section, "rawlog_camera_sensor_label");
     if (!label.empty()) settings.config.camera.camera_label = label;
     for (const std::string& key : keys_of(ini, section)) set_key(settings, key, text_of(ini, section, key));
-    check_map(settings.config);
+    config::check_map(settings.config);
     settings.source = source_of(settings);
     return settings;
 }
@@ -100,10 +100,10 @@ std::string only_section(const CConfigFileBase& ini, const std::string& file) {
         return text_of(ini, section, "driver") != "CFlowObstacleSensor";
     };
     sections.erase(std::remove_if(sections.begin(), sections.end(), other_driver), sections.end());
-    if (sections.empty()) throw ConfigError(file + ": no section has driver = CFlowObstacleSensor");
+    if (sections.empty()) throw config::ConfigError(file + ": no section has driver = CFlowObstacleSensor");
     if (sections.size() > 1) {
-        throw ConfigError(file + ": both " + sections[0] + " and " + sections[1] +
-                          " have driver = CFlowObstacleSensor; name one of them");
+        throw config::ConfigError(file + ": both " + sections[0] + " and " + sections[1] +
+                                  " have driver = CFlowObstacleSensor; name one of them");
     }
     return sections.front();
 }
@@ -111,23 +111,23 @@ std::string only_section(const CConfigFileBase& ini, const std::string& file) {
 }  // namespace
 
 ProducerSettings read_producer_settings(const CConfigFileBase& ini, const std::string& section) {
-    if (!ini.sectionExists(section)) throw ConfigError("there is no section " + section);
+    if (!ini.sectionExists(section)) throw config::ConfigError("there is no section " + section);
     try {
         return read(ini, section);
-    } catch (const ConfigError& error) {
-        throw ConfigError("section " + section + ": " + error.what());
+    } catch (const config::ConfigError& error) {
+        throw config::ConfigError("section " + section + ": " + error.what());
     }
 }
 
 ProducerSettings read_producer_settings(const std::string& ini_file, const std::string& section) {
-    if (!std::filesystem::is_regular_file(ini_file)) throw ConfigError(ini_file + ": no such file");
+    if (!std::filesystem::is_regular_file(ini_file)) throw config::ConfigError(ini_file + ": no such file");
     const mrpt::config::CConfigFileMemory ini(mrpt::io::file_get_contents(ini_file));
     const std::string wanted = section.empty() ? only_section(ini, ini_file) : section;
     try {
         return read_producer_settings(ini, wanted);
-    } catch (const ConfigError& error) {
-        throw ConfigError(ini_file + ": " + error.what());
+    } catch (const config::ConfigError& error) {
+        throw config::ConfigError(ini_file + ": " + error.what());
     }
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

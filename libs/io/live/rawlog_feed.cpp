@@ -1,7 +1,7 @@
 #include "field_feed.h"
 #include "flownav/io/rawlog_reader.h"
 
-namespace flownav::producer {
+namespace flownav::io {
 namespace {
 
 class RawlogFeed : public FieldFeed {
@@ -26,4 +26,4 @@ std::unique_ptr<FieldFeed> open_rawlog(const ProducerSettings& settings) {
     return std::make_unique<RawlogFeed>(settings.source);
 }
 
-}  // namespace flownav::producer
+}  // namespace flownav::io

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 constexpr double deg = M_PI / 180;
@@ -44,7 +44,7 @@ void require_finite(const CameraModel& c) {
                bad(c.mount.forward_m) || bad(c.mount.left_m) || bad(c.mount.pitch_rad);
     for (const double k : c.distortion) any = any || bad(k);
     if (any) {
-        throw ConfigError(
+        throw config::ConfigError(
             "the recorded calibration of the camera holds a value that is no number: "
             "set camera.fx_px, fy_px, cx_px, cy_px, distortion, height_m and pitch_deg");
     }
@@ -54,7 +54,7 @@ void require_range(const char* key, double value, double low, double high, const
     if (value >= low && value <= high) return;
     std::ostringstream text;
     text << key << " = " << value << " is out of range (" << low << " .. " << high << "): " << hint;
-    throw ConfigError(text.str());
+    throw config::ConfigError(text.str());
 }
 
 /// Focal lengths below 0.04 of the image see more than 171 degrees: no lens of this model does.
@@ -95,7 +95,7 @@ void require_usable_mount(const CameraMount& m) {
                   "the camera has to look ahead. Correct the recorded cameraPose or set camera.yaw_deg");
 }
 
-std::string missing_keys(const Recorded& r, const CameraConfig& c) {
+std::string missing_keys(const Recorded& r, const config::CameraConfig& c) {
     std::string keys;
     const auto need = [&keys](bool there, const char* key) {
         if (!there) keys += (keys.empty() ? "camera." : ", camera.") + std::string(key);
@@ -109,7 +109,7 @@ std::string missing_keys(const Recorded& r, const CameraConfig& c) {
     return keys;
 }
 
-CameraMount merged_mount(const Recorded& r, const CameraConfig& c) {
+CameraMount merged_mount(const Recorded& r, const config::CameraConfig& c) {
     CameraMount mount = r.mount.value_or(CameraMount{});
     if (!r.oriented) mount.pitch_rad = mount.roll_rad = mount.yaw_rad = 0;
     mount.height_m = c.height_m.value_or(mount.height_m);
@@ -121,18 +121,18 @@ CameraMount merged_mount(const Recorded& r, const CameraConfig& c) {
     return mount;
 }
 
-CameraModel merged(const Recorded& r, const CameraConfig& c, int width_px, int height_px) {
+CameraModel merged(const Recorded& r, const config::CameraConfig& c, int width_px, int height_px) {
     const std::string missing = missing_keys(r, c);
     if (!missing.empty()) {
-        throw ConfigError("no calibration of the camera '" + c.camera_label +
-                          "': neither the images nor the ini "
-                          "give " +
-                          missing + "; set these keys in the [camera] section");
+        throw config::ConfigError("no calibration of the camera '" + c.camera_label +
+                                  "': neither the images nor the ini "
+                                  "give " +
+                                  missing + "; set these keys in the [camera] section");
     }
     if (!r.unusable_lens.empty() && !c.distortion) {
-        throw ConfigError("camera.distortion: the recorded lens model " + r.unusable_lens +
-                          " is not supported (allowed: none, plumb_bob with k1 k2 p1 p2 k3); set "
-                          "camera.distortion or undistort the images (rawlog-edit --undistort)");
+        throw config::ConfigError("camera.distortion: the recorded lens model " + r.unusable_lens +
+                                  " is not supported (allowed: none, plumb_bob with k1 k2 p1 p2 k3); set "
+                                  "camera.distortion or undistort the images (rawlog-edit --undistort)");
     }
     CameraModel camera;
     camera.width_px = width_px;
@@ -180,12 +180,12 @@ mrpt::img::TCamera camera_params(const CameraModel& camera) {
     return c;
 }
 
-CameraModel camera_model(const CameraConfig& config, int width_px, int height_px) {
+CameraModel camera_model(const config::CameraConfig& config, int width_px, int height_px) {
     return merged(Recorded{}, config, width_px, height_px);
 }
 
-CameraModel camera_model(const mrpt::obs::CObservationImage& image, const CameraConfig& config, int width_px,
-                         int height_px) {
+CameraModel camera_model(const mrpt::obs::CObservationImage& image, const config::CameraConfig& config,
+                         int width_px, int height_px) {
     return merged(recorded_calibration(image), config, width_px, height_px);
 }
 
@@ -197,4 +197,4 @@ CameraModel field_camera(const CameraModel& frame, bool bottom) {
     return field;
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

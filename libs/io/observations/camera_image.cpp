@@ -2,7 +2,7 @@
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 
-namespace flownav {
+namespace flownav::io {
 
 mrpt::obs::CObservationImage::Ptr camera_image(const mrpt::obs::CObservation::Ptr& observation) {
     if (auto image = std::dynamic_pointer_cast<mrpt::obs::CObservationImage>(observation)) return image;
@@ -17,4 +17,4 @@ mrpt::obs::CObservationImage::Ptr camera_image(const mrpt::obs::CObservation::Pt
     return image;
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -12,7 +12,7 @@
 #include "flownav/io/camera_conversion.h"
 #include "grey_image.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 using mrpt::obs::CObservation;
@@ -119,7 +119,7 @@ void EventMaker::consume_image(const CObservationImage::Ptr& image,
                                const std::filesystem::path& images_directory) {
     ++counts_.images;
     const GreyImage grey = grey_image(image, images_directory);
-    const bool woven = camera_.interlaced != Interlaced::None;
+    const bool woven = camera_.interlaced != config::Interlaced::None;
     std::string reason = grey.rejected;
     if (reason.empty() && woven && grey.view.height_px < 2) reason = "image_empty";
     if (!reason.empty()) {
@@ -157,4 +157,4 @@ void EventMaker::note_changes(const Field& frame, const CObservationImage& image
     last_camera_ = now;
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -4,7 +4,7 @@
 
 #include "flownav/io/camera_conversion.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 constexpr std::size_t intervals_kept = 9;
@@ -28,7 +28,7 @@ Field field_of_frame(const Field& frame, bool bottom) {
 }
 
 std::vector<Field> FieldSplitter::push(const Field& frame) {
-    if (interlaced_ == Interlaced::None) return {frame};
+    if (interlaced_ == config::Interlaced::None) return {frame};
     std::vector<Field> fields;
     if (second_) {
         const double interval_s = frame.timestamp_s - second_->timestamp_s;
@@ -37,7 +37,7 @@ std::vector<Field> FieldSplitter::push(const Field& frame) {
         // After an early frame the field still has to lie between the two.
         fields.push_back(second_field(std::min(median(intervals_s_), interval_s)));
     }
-    const bool bottom_first = interlaced_ == Interlaced::BottomFirst;
+    const bool bottom_first = interlaced_ == config::Interlaced::BottomFirst;
     fields.push_back(field_of_frame(frame, bottom_first));
     second_ = field_of_frame(frame, !bottom_first);
     return fields;
@@ -55,4 +55,4 @@ Field FieldSplitter::second_field(double period_s) {
     return field;
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -16,9 +16,9 @@ using pipeline::Step;
 // The index is what is stored: add at the end, never reorder.
 constexpr std::array stored_status = {FieldStatus::Ok, FieldStatus::Waiting, FieldStatus::Lost,
                                       FieldStatus::NoTexture, FieldStatus::BadField};
-constexpr std::array stored_fate = {BlockFate::Unplaced,    BlockFate::Sifted,   BlockFate::Eliminated,
-                                    BlockFate::Ground,      BlockFate::Obstacle, BlockFate::Moving,
-                                    BlockFate::Unsupported, BlockFate::Unjudged};
+constexpr std::array stored_label = {BlockLabel::Unplaced,    BlockLabel::Sifted,   BlockLabel::Eliminated,
+                                    BlockLabel::Ground,      BlockLabel::Obstacle, BlockLabel::Moving,
+                                    BlockLabel::Unsupported, BlockLabel::Unjudged};
 constexpr std::array stored_kind = {BeamKind::Unknown, BeamKind::Free, BeamKind::Obstacle};
 
 constexpr std::uint32_t most_elements = 1U << 20;
@@ -96,7 +96,7 @@ void write_block(CArchive& out, const BlockRecord& b) {
               v.confidence, b.predicted_px.x(), b.predicted_px.y(), b.ray.at.x(), b.ray.at.y(),
               b.ray.flow.x(), b.ray.flow.y(), b.ray.sigma.x(), b.ray.sigma.y(), b.omega_rad, b.excess_px});
     out.WriteAs<std::int32_t>(b.image_of_cycle);
-    out << number_of(b.fate, stored_fate);
+    out << number_of(b.label, stored_label);
     write_flags(out, {v.valid, b.in_ground_window, b.fresh});
 }
 
@@ -112,7 +112,7 @@ BlockRecord read_block(CArchive& in) {
     b.omega_rad = n[15];
     b.excess_px = n[16];
     b.image_of_cycle = in.ReadAs<std::int32_t>();
-    b.fate = read_word(in, stored_fate, "the fate of a block");
+    b.label = read_word(in, stored_label, "the fate of a block");
     read_flags(in, {&b.vector.valid, &b.in_ground_window, &b.fresh});
     return b;
 }
@@ -251,16 +251,16 @@ int stored_number(FieldStatus status) {
     return number_of(status, stored_status);
 }
 
-int stored_number(BlockFate fate) {
-    return number_of(fate, stored_fate);
+int stored_number(BlockLabel label) {
+    return number_of(label, stored_label);
 }
 
 std::string stored_statuses() {
     return explained(stored_status);
 }
 
-std::string stored_fates() {
-    return explained(stored_fate);
+std::string stored_labels() {
+    return explained(stored_label);
 }
 
 }  // namespace flownav

@@ -16,10 +16,10 @@ pipeline::Step read_step(mrpt::serialization::CArchive& in, int version);
 
 /// The number that stands for a word in files, whatever its place in the enum.
 int stored_number(FieldStatus status);
-int stored_number(BlockFate fate);
+int stored_number(BlockLabel label);
 
 /// "0 = ok, 1 = waiting, ..."
 std::string stored_statuses();
-std::string stored_fates();
+std::string stored_labels();
 
 }  // namespace flownav

@@ -11,11 +11,11 @@ IMPLEMENTS_SERIALIZABLE(CObservationFlowField, CObservation, flownav)
 namespace flownav {
 
 void CObservationFlowField::getSensorPose(mrpt::poses::CPose3D& pose) const {
-    pose = camera_pose(camera.mount);
+    pose = io::camera_pose(camera.mount);
 }
 
 void CObservationFlowField::setSensorPose(const mrpt::poses::CPose3D& pose) {
-    camera.mount = camera_mount(pose);
+    camera.mount = io::camera_mount(pose);
 }
 
 std::uint8_t CObservationFlowField::serializeGetVersion() const {

@@ -78,7 +78,7 @@ void put_block(Row& row, const BlockRecord& b) {
     const FlowVector& v = b.vector;
     row(v.at_px)(v.flow_px)(v.sigma_px)(v.confidence)(v.valid)(b.predicted_px);
     row(b.ray.at)(b.ray.flow)(b.ray.sigma)(b.omega_rad)(b.excess_px);
-    row(stored_number(b.fate))(b.image_of_cycle)(b.in_ground_window)(b.fresh);
+    row(stored_number(b.label))(b.image_of_cycle)(b.in_ground_window)(b.fresh);
 }
 
 void put_obstacle(Row& row, const ObstaclePoint& p) {
@@ -114,10 +114,10 @@ void describe_blocks(std::ostream& out, const Step& s) {
     const BlockCounts& c = s.counts;
     out << "Blocks: " << s.blocks.size() << "; placed " << c.placed << ", confident " << c.confident
         << ", inliers " << c.inliers << ", ground window " << c.ground_window << "\n  by fate:";
-    std::map<int, std::pair<BlockFate, int>> by_fate;
+    std::map<int, std::pair<BlockLabel, int>> by_fate;
     for (const BlockRecord& b : s.blocks) {
-        auto& [fate, count] = by_fate[stored_number(b.fate)];
-        fate = b.fate;
+        auto& [label, count] = by_fate[stored_number(b.label)];
+        label = b.label;
         ++count;
     }
     for (const auto& [number, entry] : by_fate) out << ' ' << to_string(entry.first) << ' ' << entry.second;
@@ -157,7 +157,7 @@ void CObservationFlowField::getDescriptionAsText(std::ostream& out) const {
 std::string CObservationFlowField::exportTxtHeader() const {
     return std::string(field_columns) + " blocks obstacles, then for each block: " + block_columns +
            ", then for each obstacle: " + obstacle_columns + " (status: " + stored_statuses() +
-           "; fate: " + stored_fates() + "; 1 = yes, 0 = no)";
+           "; fate: " + stored_labels() + "; 1 = yes, 0 = no)";
 }
 
 std::string CObservationFlowField::exportTxtDataRow() const {

@@ -6,7 +6,7 @@
 
 #include "flownav/io/picture_file.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 GreyImage reject(const char* reason) {
@@ -49,4 +49,4 @@ GreyImage grey_image(const mrpt::obs::CObservationImage::Ptr& image,
     return converted(pixels);
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -7,7 +7,7 @@
 
 #include "flownav/core/image_view.h"
 
-namespace flownav {
+namespace flownav::io {
 
 /// The 8-bit grey pixels of a recorded image, or why there are none.
 struct GreyImage {
@@ -21,4 +21,4 @@ struct GreyImage {
 GreyImage grey_image(const mrpt::obs::CObservationImage::Ptr& image,
                      const std::filesystem::path& images_directory);
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -8,7 +8,7 @@
 
 #include "flownav/io/camera_conversion.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 mrpt::img::CImage pixels(const ImageView& view) {
@@ -85,4 +85,4 @@ mrpt::obs::CObservationImage::Ptr image_observation(const Field& field, const st
     return image;
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -4,7 +4,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 
-namespace flownav {
+namespace flownav::io {
 
 cv::Mat read_picture(const std::filesystem::path& file, int flags) {
     std::error_code error;
@@ -20,4 +20,4 @@ cv::Mat read_picture(const std::filesystem::path& file, int flags) {
     }
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -2,7 +2,7 @@
 
 #include <mrpt/obs/CActionRobotMovement2D.h>
 
-namespace flownav {
+namespace flownav::io {
 
 void ActionOdometry::add(const mrpt::obs::CActionCollection& actions) {
     for (const auto& action : actions) {
@@ -34,4 +34,4 @@ mrpt::obs::CObservationOdometry::Ptr ActionOdometry::take(const mrpt::obs::CSens
     return reading;
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -3,7 +3,7 @@
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CSensoryFrame.h>
 
-namespace flownav {
+namespace flownav::io {
 
 /// Turns the movement actions of a sensory-frame rawlog into odometry readings: the integral of their
 /// increments, stamped with the action's time or, where that is missing, with that of the frame after it.
@@ -20,4 +20,4 @@ class ActionOdometry {
     bool due_ = false;
 };
 
-}  // namespace flownav
+}  // namespace flownav::io

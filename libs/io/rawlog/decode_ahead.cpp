@@ -3,7 +3,7 @@
 #include <chrono>
 #include <utility>
 
-namespace flownav {
+namespace flownav::io {
 
 namespace {
 
@@ -47,4 +47,4 @@ void DecodeAhead::run(FieldSource& source, const RawlogReader& reader) {
     }
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

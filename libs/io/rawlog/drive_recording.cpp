@@ -10,7 +10,7 @@
 #include "flownav/io/observations.h"
 #include "flownav/io/output_file.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -89,4 +89,4 @@ void DriveRecording::complete() {
     parts_->pending.complete();
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

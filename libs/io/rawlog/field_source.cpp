@@ -1,6 +1,6 @@
 #include "flownav/io/field_source.h"
 
-namespace flownav {
+namespace flownav::io {
 
 std::optional<ReplayEvent> FieldSource::next() {
     auto event = maker_.next();
@@ -18,4 +18,4 @@ std::optional<ReplayEvent> FieldSource::next() {
     return event;
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

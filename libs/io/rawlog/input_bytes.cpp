@@ -9,7 +9,7 @@
 
 #include "flownav/io/rawlog_reader.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 constexpr std::size_t buffer_bytes = 1 << 18;
@@ -192,4 +192,4 @@ double InputBytes::progress() const {
     return file_size_ == 0 ? 1.0 : std::min(1.0, used / static_cast<double>(file_size_));
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace flownav {
+namespace flownav::io {
 
 /// The uncompressed bytes of a plain or gz file. Unlike zlib's gz functions it hands out every byte in front
 /// of the damage, and it tells a cut from damage and from a wrong checksum.
@@ -75,4 +75,4 @@ class InputBytes {
     std::string problem_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::io

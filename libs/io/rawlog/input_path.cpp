@@ -2,7 +2,7 @@
 
 #include <system_error>
 
-namespace flownav {
+namespace flownav::io {
 
 std::string problem_of_input(const std::filesystem::path& input) {
     std::error_code error;
@@ -14,4 +14,4 @@ std::string problem_of_input(const std::filesystem::path& input) {
     return {};
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

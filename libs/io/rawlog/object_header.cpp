@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace flownav {
+namespace flownav::io {
 
 bool is_class_name(const std::string& name) {
     const auto allowed = [](unsigned char c) {
@@ -30,4 +30,4 @@ ObjectHeader parse_object_header(const std::vector<std::uint8_t>& bytes) {
     return {ObjectHeader::Kind::Good, name};
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

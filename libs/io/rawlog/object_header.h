@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace flownav {
+namespace flownav::io {
 
 /// The beginning of a serialized MRPT object.
 struct ObjectHeader {
@@ -22,4 +22,4 @@ constexpr std::size_t object_header_bytes = 4 + 127;
 /// a 32-bit length and the name.
 ObjectHeader parse_object_header(const std::vector<std::uint8_t>& bytes);
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -10,7 +10,7 @@
 
 #include "object_header.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 using mrpt::serialization::CSerializable;
@@ -19,7 +19,7 @@ constexpr const char* cut_advice =
     "The recording was interrupted, or the file was not copied to its end: copy it again, or use what is "
     "there.";
 constexpr const char* damage_advice = "Copy the file again from where it was recorded.";
-constexpr const char* stranger_advice =
+constexpr const char* unknown_class_hint =
     "Nothing after it can be read: remove such objects with the program that wrote them; if no program does, "
     "the "
     "file is damaged.";
@@ -29,10 +29,10 @@ constexpr std::uint32_t believable_length = 1U << 26;
 
 /// A stored length that the file cannot hold.
 struct BogusLength {
-    ObjectStream::Doubt doubt;
+    ObjectStream::ParseError parse_error;
     std::string text() const {
-        return "the object asks for " + std::to_string(doubt.value) + " elements at byte " +
-               std::to_string(doubt.byte_offset) + ", more than the file holds";
+        return "the object asks for " + std::to_string(parse_error.value) + " elements at byte " +
+               std::to_string(parse_error.byte_offset) + ", more than the file holds";
     }
 };
 
@@ -106,7 +106,7 @@ CSerializable::Ptr ObjectReader::read_object() {
         ++end_.objects_read;
         return object;
     } catch (const BogusLength& length) {
-        if (length.doubt.value <= believable_length) {
+        if (length.parse_error.value <= believable_length) {
             finish(ReadEnd::Kind::Truncated, length.text(), cut_advice);
         } else {
             finish(ReadEnd::Kind::Corrupt, length.text(), damage_advice);
@@ -139,15 +139,15 @@ bool ObjectReader::begin_object() {
 CSerializable::Ptr ObjectReader::deserialize() {
     for (;;) {
         const Attempt attempt = try_to_deserialize();
-        if (stream_.doubts().empty()) {
+        if (stream_.parse_errors().empty()) {
             if (attempt.failure) std::rethrow_exception(attempt.failure);
             return attempt.object;
         }
-        const ObjectStream::Doubt doubt = stream_.doubts().front();
+        const ObjectStream::ParseError parse_error = stream_.parse_errors().front();
         const std::uint64_t trace = stream_.trace();
         stream_.rewind(2);
         try_to_deserialize();
-        if (stream_.trace() != trace) throw BogusLength{doubt};
+        if (stream_.trace() != trace) throw BogusLength{parse_error};
         stream_.settle_doubts();
         stream_.rewind(1);
     }
@@ -196,7 +196,7 @@ void ObjectReader::finish_after(const std::string& reason) {
 
 void ObjectReader::finish_unknown(const std::string& class_name) {
     finish(ReadEnd::Kind::UnknownClass, "the class " + class_name + " is not known to this program",
-           stranger_advice);
+           unknown_class_hint);
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

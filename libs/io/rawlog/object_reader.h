@@ -9,7 +9,7 @@
 #include "input_bytes.h"
 #include "object_stream.h"
 
-namespace flownav {
+namespace flownav::io {
 
 /// Reads the top-level objects of a rawlog one by one and says how and where that ended.
 class ObjectReader {
@@ -56,4 +56,4 @@ class ObjectReader {
     std::string class_name_;  ///< of the object being read
 };
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -4,10 +4,10 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
-constexpr std::uint32_t first_stand_in = 1;
+constexpr std::uint32_t first_placeholder = 1;
 constexpr std::uint64_t harmless_length = 1U << 20;
 constexpr std::uint64_t longest_length = 1U << 28;  // no picture or point cloud has more elements
 constexpr std::size_t growth_step = 1U << 20;
@@ -24,19 +24,19 @@ void ObjectStream::begin_object() {
     object_offset_ += at_;
     object_.erase(object_.begin(), object_.begin() + static_cast<std::ptrdiff_t>(at_));
     settled_.clear();
-    rewind(first_stand_in);
+    rewind(first_placeholder);
 }
 
-void ObjectStream::rewind(std::uint32_t stand_in) {
+void ObjectStream::rewind(std::uint32_t placeholder) {
     at_ = 0;
     trace_ = 0;
     ran_dry_ = false;
-    doubts_.clear();
-    stand_in_ = stand_in;
+    parse_errors_.clear();
+    placeholder_ = placeholder;
 }
 
 void ObjectStream::settle_doubts() {
-    for (const Doubt& doubt : doubts_) settled_.insert(doubt.byte_offset);
+    for (const ParseError& parse_error : parse_errors_) settled_.insert(parse_error.byte_offset);
 }
 
 ObjectStream::Mark ObjectStream::mark(bool again) const {
@@ -50,7 +50,7 @@ void ObjectStream::go_to(const Mark& mark) {
     object_ = mark.ahead;
     object_offset_ = mark.byte_offset;
     settled_.clear();
-    rewind(first_stand_in);
+    rewind(first_placeholder);
 }
 
 std::size_t ObjectStream::make_available(std::size_t count) {
@@ -91,8 +91,8 @@ void ObjectStream::replace_if_in_doubt(std::uint8_t* four_bytes) {
     const std::uint64_t left = object_.size() - at_ + bytes_.upper_bound();
     const std::uint64_t limit = std::clamp(left, harmless_length, longest_length);
     if (value <= limit || is_negated_size(value) || settled_.count(getPosition()) > 0) return;
-    doubts_.push_back({value, getPosition()});
-    std::memcpy(four_bytes, &stand_in_, 4);
+    parse_errors_.push_back({value, getPosition()});
+    std::memcpy(four_bytes, &placeholder_, 4);
 }
 
 size_t ObjectStream::Write(const void* /*source*/, size_t /*count*/) {
@@ -103,4 +103,4 @@ uint64_t ObjectStream::Seek(int64_t /*offset*/, TSeekOrigin /*origin*/) {
     throw std::logic_error("ObjectStream cannot seek");
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

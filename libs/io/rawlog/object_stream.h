@@ -7,7 +7,7 @@
 
 #include "input_bytes.h"
 
-namespace flownav {
+namespace flownav::io {
 
 /// Feeds MRPT's deserialization one object at a time, and keeps that object's bytes so that it can be read
 /// again.
@@ -19,7 +19,7 @@ namespace flownav {
 /// on.
 class ObjectStream : public mrpt::io::CStream {
   public:
-    struct Doubt {
+    struct ParseError {
         std::uint32_t value = 0;
         std::uint64_t byte_offset = 0;
     };
@@ -37,7 +37,7 @@ class ObjectStream : public mrpt::io::CStream {
     void begin_object();
 
     /// Reads the same object again with this stand-in for values in doubt.
-    void rewind(std::uint32_t stand_in);
+    void rewind(std::uint32_t placeholder);
 
     void settle_doubts();
 
@@ -48,9 +48,9 @@ class ObjectStream : public mrpt::io::CStream {
     /// The bytes ahead without consuming them; fewer at the end of the file.
     std::vector<std::uint8_t> peek(std::size_t count);
 
-    const std::vector<Doubt>& doubts() const { return doubts_; }  ///< of this pass
-    std::uint64_t trace() const { return trace_; }                ///< digest of the sizes of all pieces read
-    bool ran_dry() const { return ran_dry_; }  ///< the object asked for bytes that are not there
+    const std::vector<ParseError>& parse_errors() const { return parse_errors_; }  ///< of this pass
+    std::uint64_t trace() const { return trace_; }  ///< digest of the sizes of all pieces read
+    bool ran_dry() const { return ran_dry_; }       ///< the object asked for bytes that are not there
     std::uint64_t object_offset() const { return object_offset_; }
 
     size_t Read(void* target, size_t count) override;
@@ -67,11 +67,11 @@ class ObjectStream : public mrpt::io::CStream {
     std::vector<std::uint8_t> object_;  ///< from the object's first byte on
     std::size_t at_ = 0;
     std::uint64_t object_offset_ = 0;
-    std::uint32_t stand_in_ = 0;
+    std::uint32_t placeholder_ = 0;
     std::uint64_t trace_ = 0;
     bool ran_dry_ = false;
-    std::vector<Doubt> doubts_;
+    std::vector<ParseError> parse_errors_;
     std::set<std::uint64_t> settled_;  ///< offsets of values that turned out to be mere numbers
 };
 
-}  // namespace flownav
+}  // namespace flownav::io

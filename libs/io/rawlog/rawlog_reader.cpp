@@ -10,7 +10,7 @@
 #include "flownav/io/flow_field_observation.h"
 #include "object_reader.h"
 
-namespace flownav {
+namespace flownav::io {
 
 namespace {
 
@@ -112,4 +112,4 @@ const std::filesystem::path& RawlogReader::images_directory() const {
     return impl_->images;
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -4,7 +4,7 @@
 #include "flownav/io/field_splitter.h"
 #include "flownav/io/rawlog_reader.h"
 
-namespace flownav {
+namespace flownav::io {
 
 RecordingCounts write_recording(ImageSequence& sequence, const RecordingOptions& options) {
     DriveRecording recording(options.output, options.camera_label);
@@ -35,4 +35,4 @@ RecordingCounts write_recording(ImageSequence& sequence, const RecordingOptions&
     return counts;
 }
 
-}  // namespace flownav
+}  // namespace flownav::io

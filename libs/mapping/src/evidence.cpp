@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace flownav {
+namespace flownav::mapping {
 namespace {
 
 using Eigen::Vector2d;
@@ -72,4 +72,4 @@ void gather_evidence(const ObstacleSet& set, const Pose2& T_frame_robot, const G
     evidence.erase(std::remove_if(evidence.begin(), evidence.end(), is_silent), evidence.end());
 }
 
-}  // namespace flownav
+}  // namespace flownav::mapping

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "flownav/mapping/fusion.h"
+#include "flownav/mapping/global_map.h"
 #include "flownav/math/grid2d.h"
 
-namespace flownav {
+namespace flownav::mapping {
 
 /// Probability of being free of a cell that a mover was seen in: it will be elsewhere in the next cycle, so
 /// that one sight must do.
@@ -16,4 +16,4 @@ constexpr double p_free_of_mover = 0.2;
 void gather_evidence(const ObstacleSet& set, const Pose2& T_frame_robot, const GridFrame& frame,
                      std::vector<Evidence>& evidence);
 
-}  // namespace flownav
+}  // namespace flownav::mapping

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace flownav {
+namespace flownav::mapping {
 namespace {
 
 using mrpt::maps::COccupancyGridMap2D;
@@ -103,4 +103,4 @@ void export_map(const COccupancyGridMap2D& grid, const fs::path& directory) {
     write_file(directory / "map.gridmap.gz", gridmap_of(grid));
 }
 
-}  // namespace flownav
+}  // namespace flownav::mapping

@@ -7,7 +7,7 @@
 #include "evidence.h"
 #include "flownav/mapping/grid_area.h"
 
-namespace flownav {
+namespace flownav::mapping {
 namespace {
 
 using Eigen::Vector2d;
@@ -136,4 +136,4 @@ void LocalMap::forget(const Remembered& old) {
     }
 }
 
-}  // namespace flownav
+}  // namespace flownav::mapping

@@ -4,7 +4,7 @@
 
 #include "flownav/motion/robust.h"
 
-namespace flownav {
+namespace flownav::motion {
 namespace {
 
 constexpr double cluster_share_min = 0.08;
@@ -54,4 +54,4 @@ double background_omega(std::vector<OmegaSample>& samples, double gap_rad, std::
     return shorth(values);
 }
 
-}  // namespace flownav
+}  // namespace flownav::motion

@@ -3,7 +3,7 @@
 
 #include "flownav/motion/estimate_motion.h"
 
-namespace flownav {
+namespace flownav::motion {
 
 /// Background separation after [S] (Stoeffler, Schnepf, ICPR 1998): the samples are sorted and joined while
 /// the gap between neighbours stays below `gap_rad`; of the clusters with at least 8 % of the samples the
@@ -12,4 +12,4 @@ namespace flownav {
 /// is working memory.
 double background_omega(std::vector<OmegaSample>& samples, double gap_rad, std::vector<double>& values);
 
-}  // namespace flownav
+}  // namespace flownav::motion

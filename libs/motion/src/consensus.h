@@ -3,21 +3,21 @@
 
 #include "flownav/motion/estimate_motion.h"
 
-namespace flownav {
+namespace flownav::motion {
 
 /// A rotation that is tried.
-struct Turn {
+struct RotationHypothesis {
     double omega_rad = 0.0;
     double pitch_rad = 0.0;
 };
 
 /// How many standard deviations the vector of a row is away from a rotation.
-inline double residual(const MotionScratch::Across& row, const Turn& turn) {
+inline double residual(const MotionScratch::RotationEquation& row, const RotationHypothesis& turn) {
     return row.measured - row.turn * turn.omega_rad - row.pitch * turn.pitch_rad;
 }
 
 /// Divides the image into 8 x 6 cells, and makes a vote of every row.
-void prepare_votes(MotionScratch& scratch);
+void prepare_inlier_counts(MotionScratch& scratch);
 
 /// Over how much of the image the vectors agree with a rotation. A cell counts when most of its vectors, and
 /// two at least, agree: many vectors on something close together weigh no more than few all over.
@@ -29,12 +29,13 @@ struct Support {
     double share() const { return all_cells > 0 ? static_cast<double>(cells) / all_cells : 0.0; }
 };
 
-/// After prepare_votes(). A vector agrees with a rotation within its own error, or what the method itself
-/// errs, and within lambda, across e.
-Support support_of(MotionScratch::Votes& votes, const Turn& turn, double lambda_px);
+/// After prepare_inlier_counts(). A vector agrees with a rotation within its own error, or what the method
+/// itself errs, and within lambda, across e.
+Support support_of(MotionScratch::InlierCounts& inlier_counts, const RotationHypothesis& turn,
+                   double lambda_px);
 
 struct Consensus {
-    Turn turn;
+    RotationHypothesis turn;
     Support support;
     bool as_predicted = false;  ///< within the prediction's tolerance
 };
@@ -50,4 +51,4 @@ bool outvotes_every_other_motion(const Consensus& predicted);
 Consensus find_consensus(MotionScratch& scratch, double background_rad, const MotionPrediction& prediction,
                          const MotionParams& params);
 
-}  // namespace flownav
+}  // namespace flownav::motion

@@ -3,7 +3,7 @@
 #include "rotation.h"
 #include "travel.h"
 
-namespace flownav {
+namespace flownav::motion {
 namespace {
 
 using Eigen::Vector2d;
@@ -33,7 +33,7 @@ MotionEstimate estimate_motion(const std::vector<MotionSample>& samples, const C
     EgoMotion& m = estimate.motion;
     m = unmeasured_motion(prediction);
     if (samples.empty()) return estimate;
-    Turn turn{m.omega_rad, m.pitch_rad};
+    RotationHypothesis turn{m.omega_rad, m.pitch_rad};
     for (int round = 0; round < travel_rounds; ++round) {
         const Vector2d direction =
             direction_of(camera_travel(camera.mount, m.forward_m, m.omega_rad, m.chord_rad));
@@ -64,4 +64,4 @@ MotionEstimate estimate_motion(const std::vector<MotionSample>& samples, const C
     return estimate;
 }
 
-}  // namespace flownav
+}  // namespace flownav::motion

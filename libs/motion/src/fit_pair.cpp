@@ -7,7 +7,7 @@
 #include "ground_homography.h"
 #include "pair_equations.h"
 
-namespace flownav {
+namespace flownav::motion {
 namespace {
 
 using Eigen::Matrix3d;
@@ -140,7 +140,7 @@ double near_below_horizon(const CameraModel& camera) {
 }
 
 PairFit fit_pair(const std::vector<RayFlow>& rays, const CameraModel& camera, const EgoMotion& motion,
-                 Geometry geometry, const Steadiness& steadiness, PoseScratch& scratch) {
+                 Geometry geometry, const PitchPrior& pitch_prior, PoseScratch& scratch) {
     PairFit fit;
     PairMotion own(motion, camera.mount.height_m);
     for (int step = 0;; ++step) {
@@ -149,7 +149,7 @@ PairFit fit_pair(const std::vector<RayFlow>& rays, const CameraModel& camera, co
         fit.noise_factor = robust_noise(rays, NearGround(camera), model.H, geometry, scratch);
         if (fit.noise_factor <= 0.0) return {};
         PairEquations equations = equations_at(model, rays, camera, geometry, fit);
-        equations.expect(own, steadiness);
+        equations.expect(own, pitch_prior);
         if (step == steps) {
             if (fit.ground_vectors >= vectors_min) fit.equations = equations.eliminated();
             break;
@@ -163,4 +163,4 @@ PairFit fit_pair(const std::vector<RayFlow>& rays, const CameraModel& camera, co
     return fit;
 }
 
-}  // namespace flownav
+}  // namespace flownav::motion

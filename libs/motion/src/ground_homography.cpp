@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace flownav {
+namespace flownav::motion {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -44,4 +44,4 @@ Matrix3d ground_homography(const CameraMount& mount, const MountAngles& error, c
     return R_true_assumed.transpose() * true_homography(truth, motion) * R_true_assumed;
 }
 
-}  // namespace flownav
+}  // namespace flownav::motion

@@ -5,7 +5,7 @@
 #include "flownav/core/ego_motion.h"
 #include "flownav/motion/pose_error.h"
 
-namespace flownav {
+namespace flownav::motion {
 
 /// Motion between two fields as its flow shows it: turn, pitch and roll in radians, and travel over height.
 struct PairMotion {
@@ -30,4 +30,4 @@ struct PairMotion {
 Eigen::Matrix3d ground_homography(const CameraMount& mount, const MountAngles& error,
                                   const PairMotion& motion);
 
-}  // namespace flownav
+}  // namespace flownav::motion

@@ -7,7 +7,7 @@
 #include "flownav/motion/pose_error.h"
 #include "ground_homography.h"
 
-namespace flownav {
+namespace flownav::motion {
 
 /// Normal equations of one pair: the camera's angles first, then the pair's own motion.
 class PairEquations {
@@ -30,9 +30,9 @@ class PairEquations {
     }
 
     /// What is known of the pair's pitch and roll beforehand.
-    void expect(const PairMotion& own, const Steadiness& steadiness) {
-        for (const auto& [i, sigma_rad] : {std::pair(PairMotion::pitch, steadiness.pitch_rad),
-                                           std::pair(PairMotion::roll, steadiness.roll_rad)}) {
+    void expect(const PairMotion& own, const PitchPrior& pitch_prior) {
+        for (const auto& [i, sigma_rad] : {std::pair(PairMotion::pitch, pitch_prior.pitch_rad),
+                                           std::pair(PairMotion::roll, pitch_prior.roll_rad)}) {
             const double weight = 1.0 / (sigma_rad * sigma_rad);
             N_(angles + i, angles + i) += weight;
             g_[angles + i] -= weight * own.values[i];
@@ -76,4 +76,4 @@ class PairEquations {
     Eigen::Matrix<double, unknowns, strips + 2> strips_ = Eigen::Matrix<double, unknowns, strips + 2>::Zero();
 };
 
-}  // namespace flownav
+}  // namespace flownav::motion

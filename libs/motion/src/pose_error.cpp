@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-namespace flownav {
+namespace flownav::motion {
 namespace {
 
 using Eigen::Matrix3d;
@@ -45,7 +45,7 @@ MountAngles systematic_sigma_rad(const PoseEquations& e) {
     return (covariance_of(e) * e.strips).rowwise().norm();
 }
 
-PoseEquations only(const PoseEquations& equations, const AngleMask& unknown) {
+PoseEquations select(const PoseEquations& equations, const AngleMask& unknown) {
     PoseEquations e = equations;
     for (int i = 0; i < 3; ++i) {
         if (unknown[static_cast<std::size_t>(i)]) continue;
@@ -59,4 +59,4 @@ PoseEquations only(const PoseEquations& equations, const AngleMask& unknown) {
     return e;
 }
 
-}  // namespace flownav
+}  // namespace flownav::motion

@@ -1,6 +1,6 @@
 #include "flownav/motion/ray_flow.h"
 
-namespace flownav {
+namespace flownav::motion {
 
 using Eigen::Vector2d;
 
@@ -16,4 +16,4 @@ RayFlow ray_flow(const FlowVector& vector, const Vector2d& begin, const RayMappe
             vector.sigma_px.cwiseProduct(one_pixel(reference.camera()))};
 }
 
-}  // namespace flownav
+}  // namespace flownav::motion

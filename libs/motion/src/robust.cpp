@@ -5,7 +5,7 @@
 
 #include "flownav/math/order_statistic.h"
 
-namespace flownav {
+namespace flownav::motion {
 
 double shorth(std::vector<double>& values) {
     const std::size_t n = values.size();
@@ -34,4 +34,4 @@ double biweight(double residual) {
     return q * q;
 }
 
-}  // namespace flownav
+}  // namespace flownav::motion

@@ -7,7 +7,7 @@
 #include "consensus.h"
 #include "flownav/motion/robust.h"
 
-namespace flownav {
+namespace flownav::motion {
 namespace {
 
 using Eigen::Vector2d;
@@ -33,9 +33,9 @@ double background(const std::vector<MotionSample>& samples, const CameraModel& c
 }
 
 /// From the vectors that may belong: what is far off says nothing of the noise.
-double noise_factor_about(const Turn& turn, double lambda_px, MotionScratch& scratch) {
+double noise_factor_about(const RotationHypothesis& turn, double lambda_px, MotionScratch& scratch) {
     scratch.values.clear();
-    for (const auto& row : scratch.across) {
+    for (const auto& row : scratch.rotation_equations) {
         const double r = residual(row, turn);
         if (std::abs(r) < 3.0 || std::abs(r) * row.deviation_px < lambda_px) scratch.values.push_back(r);
     }
@@ -45,7 +45,7 @@ double noise_factor_about(const Turn& turn, double lambda_px, MotionScratch& scr
 /// Weighted least squares; without pitch when the model has none or the vectors cannot tell it from yaw.
 void solve(const MotionScratch& scratch, MotionModel model, Rotation& r) {
     double tt = 0, tp = 0, pp = 0, tm = 0, pm = 0;
-    for (const auto& row : scratch.across) {
+    for (const auto& row : scratch.rotation_equations) {
         tt += row.weight * row.turn * row.turn;
         tp += row.weight * row.turn * row.pitch;
         pp += row.weight * row.pitch * row.pitch;
@@ -78,17 +78,18 @@ double omega_of(const RayFlow& ray, const PlaneGeometry& plane, const Vector2d& 
 
 // The part of f = (S/Z) e + omega h + pitch p across e knows neither S nor Z: one equation a vector.
 void set_up_rotation(const std::vector<MotionSample>& samples, const CameraModel& camera,
-                     const Vector2d& direction, const Turn& near, Geometry geometry, MotionScratch& scratch) {
+                     const Vector2d& direction, const RotationHypothesis& near, Geometry geometry,
+                     MotionScratch& scratch) {
     const PlaneGeometry plane(camera.mount);
     const Derotation derotated(plane, near.omega_rad, near.pitch_rad, geometry);
     const Vector2d one_px = one_pixel(camera);
-    scratch.across.clear();
+    scratch.rotation_equations.clear();
     for (const MotionSample& s : samples) {
         const RayFlow travel = derotated(s.ray);
         const Vector2d e = plane.e(travel.at, direction);
         if (e.squaredNorm() < 1e-12) continue;
         const double weight = 1.0 / deviation_of_cross(e, s.ray.sigma);
-        MotionScratch::Across row;
+        MotionScratch::RotationEquation row;
         row.turn = cross(e, plane.h(travel.at)) * weight;
         row.pitch = cross(e, PlaneGeometry::p(travel.at)) * weight;
         row.measured =
@@ -96,34 +97,36 @@ void set_up_rotation(const std::vector<MotionSample>& samples, const CameraModel
         row.weight = 1.0;
         row.deviation_px = 1.0 / (weight * deviation_of_cross(e, one_px));
         row.at = s.ray.at;
-        scratch.across.push_back(row);
+        scratch.rotation_equations.push_back(row);
     }
-    prepare_votes(scratch);
+    prepare_inlier_counts(scratch);
 }
 
 Consensus start_rotation(const std::vector<MotionSample>& samples, const CameraModel& camera,
                          const Vector2d& direction, const MotionPrediction& prediction,
                          const MotionParams& params, MotionScratch& scratch) {
-    const Turn predicted{prediction.omega_rad,
-                         params.model == MotionModel::YawPitch ? prediction.pitch_rad : 0.0};
-    const Consensus continuing{predicted, support_of(scratch.votes, predicted, params.lambda_px), true};
+    const RotationHypothesis predicted{prediction.omega_rad,
+                                       params.model == MotionModel::YawPitch ? prediction.pitch_rad : 0.0};
+    const Consensus continuing{predicted, support_of(scratch.inlier_counts, predicted, params.lambda_px),
+                               true};
     if (outvotes_every_other_motion(continuing)) return continuing;
     const double background_rad = background(samples, camera, direction, scratch);
     return find_consensus(scratch, background_rad, prediction, params);
 }
 
-Rotation fit_rotation(const Turn& start, const MotionParams& params, MotionScratch& scratch) {
+Rotation fit_rotation(const RotationHypothesis& start, const MotionParams& params, MotionScratch& scratch) {
     Rotation r;
     r.turn = start;
     for (int step = 0; step < biweight_steps; ++step) {
         r.noise_factor = noise_factor_about(r.turn, params.lambda_px, scratch);
-        for (auto& row : scratch.across) row.weight = biweight(residual(row, r.turn) / r.noise_factor);
+        for (auto& row : scratch.rotation_equations)
+            row.weight = biweight(residual(row, r.turn) / r.noise_factor);
         const double before_rad = r.turn.omega_rad;
         solve(scratch, params.model, r);
         if (std::abs(r.turn.omega_rad - before_rad) < settled_deviations * r.sigma_omega_rad) break;
     }
-    r.support = support_of(scratch.votes, r.turn, params.lambda_px);
+    r.support = support_of(scratch.inlier_counts, r.turn, params.lambda_px);
     return r;
 }
 
-}  // namespace flownav
+}  // namespace flownav::motion

@@ -4,7 +4,7 @@
 
 #include "flownav/motion/robust.h"
 
-namespace flownav {
+namespace flownav::motion {
 namespace {
 
 using Eigen::Vector2d;
@@ -40,13 +40,14 @@ void floor_travels(const std::vector<MotionSample>& samples, const CameraModel& 
         if (std::abs(cross(e, d)) > params.lambda_px * deviation_of_cross(e, one_px)) continue;
         // Eq. (10), over the depth of the ground
         const double of_ground = 1.0 / (e.squaredNorm() * plane.ground_inverse_depth(travel.at));
-        const MotionScratch::Along row{e.dot(d) * of_ground, deviation_of_dot(e, s.ray.sigma) * of_ground};
+        const MotionScratch::TravelEquation row{e.dot(d) * of_ground,
+                                                deviation_of_dot(e, s.ray.sigma) * of_ground};
         scratch.floor.push_back(row);
         if (s.in_ground_window) scratch.window.push_back(row);
     }
 }
 
-Travel robust_mean(const std::vector<MotionScratch::Along>& rows, std::vector<double>& values) {
+Travel robust_mean(const std::vector<MotionScratch::TravelEquation>& rows, std::vector<double>& values) {
     Travel t;
     values.clear();
     for (const auto& row : rows) values.push_back(row.travel_m);
@@ -87,4 +88,4 @@ Travel fit_travel(const std::vector<MotionSample>& samples, const CameraModel& c
     return anchored && !(same && floor.sigma_m < much_better * window.sigma_m) ? window : floor;
 }
 
-}  // namespace flownav
+}  // namespace flownav::motion

@@ -2,7 +2,7 @@
 #include "flownav/motion/estimate_motion.h"
 #include "rotation.h"
 
-namespace flownav {
+namespace flownav::motion {
 
 /// Travel of the CAMERA along its direction; `support`: vectors that agree, 0 when it could not be measured.
 struct Travel {
@@ -17,4 +17,4 @@ Travel fit_travel(const std::vector<MotionSample>& samples, const CameraModel& c
                   const Eigen::Vector2d& direction, const Rotation& rotation, const MotionParams& params,
                   MotionScratch& scratch);
 
-}  // namespace flownav
+}  // namespace flownav::motion

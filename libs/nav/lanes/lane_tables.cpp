@@ -37,7 +37,7 @@ void check(const LaneLayout& layout, const RobotModel& robot) {
 
 GridArea cells_of(const LaneLayout& layout) {
     const auto half = static_cast<float>(layout.map_size_m / 2);
-    return area_of({-half, half, -half, half, static_cast<float>(layout.resolution_m)});
+    return mapping::area_of({-half, half, -half, half, static_cast<float>(layout.resolution_m)});
 }
 
 /// Denser about straight on: there a small difference matters most.

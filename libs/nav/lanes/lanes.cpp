@@ -194,7 +194,7 @@ class Choice {
 LaneDecision choose_lane(const LaneTables& tables, const COccupancyGridMap2D& local_map,
                          const Vector2d& waypoint_robot_m, const MotionCommand& motion,
                          const LaneParams& params) {
-    if (!same_cells(tables.grid, area_of(local_map))) {
+    if (!same_cells(tables.grid, mapping::area_of(local_map))) {
         throw std::invalid_argument(
             "the local map does not fit the lane tables: make them for its size and "
             "resolution");

@@ -47,12 +47,12 @@ int GroundMemory::note(const mrpt::maps::COccupancyGridMap2D& local_map, double 
     const Vector2d origin = transform(T_robot_map, {0.0, 0.0});
     const Vector2d along_x = transform(T_robot_map, {params_.cell_m, 0.0}) - origin;
     const Vector2d along_y = transform(T_robot_map, {0.0, params_.cell_m}) - origin;
-    const GridArea area = area_of(local_map);
+    const GridArea area = mapping::area_of(local_map);
     int fresh = 0;
     for (int y = middle.y() - side_ / 2 + 1; y < middle.y() + side_ / 2; ++y) {
         for (int x = middle.x() - side_ / 2 + 1; x < middle.x() + side_ / 2; ++x) {
             const Vector2d p = origin + (x + 0.5) * along_x + (y + 0.5) * along_y;
-            const double p_free = p_free_at(local_map, area, p);
+            const double p_free = mapping::p_free_at(local_map, area, p);
             if (p_free < params_.p_occupied || p_free > params_.p_free) {
                 fresh += note_cell({x, y}, p_free > params_.p_free, time_s);
             } else {
@@ -84,7 +84,7 @@ void GroundMemory::note_silence(const Vector2i& index, const Vector2d& at_robot_
     if (in_view) cell.until_s = std::min(cell.until_s, time_s + params_.in_view_s);
 }
 
-void GroundMemory::drive_over(const Polygon& footprint_m, double time_s, const Pose2& T_map_robot) {
+void GroundMemory::mark_traversed(const Polygon& footprint_m, double time_s, const Pose2& T_map_robot) {
     const Vector2d centre(T_map_robot.x_m, T_map_robot.y_m);
     const Vector2d reach = Vector2d::Constant(circumscribed_radius_m(footprint_m));
     const Vector2i low = frame_.cell_of(centre - reach);

@@ -16,7 +16,7 @@ using mrpt::maps::COccupancyGridMap2D;
 /// Probability of being FREE of every cell of the area.
 cv::Mat probabilities(const COccupancyGridMap2D& map, const GridArea& area) {
     cv::Mat p_free(area.rows, area.columns, CV_32F);
-    const Vector2i first = area_of(map).cell_of(area.middle_of({0, 0}));
+    const Vector2i first = mapping::area_of(map).cell_of(area.middle_of({0, 0}));
     for (int row = 0; row < area.rows; ++row) {
         float* const line = p_free.ptr<float>(row);
         for (int column = 0; column < area.columns; ++column)

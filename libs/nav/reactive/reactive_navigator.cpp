@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "caution.h"
+#include "speed_limiter.h"
 #include "mrpt_step.h"
 #include "reactive_config.h"
 #include "recovery/navigators.h"
@@ -59,7 +59,7 @@ class ReactiveNavigator : public Navigator {
     }
 
   private:
-    Caution caution_;
+    SpeedLimiter caution_;
     GridRobot robot_;
     ReactiveSystem system_;
 };

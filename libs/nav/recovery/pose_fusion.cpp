@@ -7,7 +7,7 @@ namespace {
 
 constexpr double memory_s = 2.0;
 constexpr double gap_max_s = 0.5;  // between fields; across longer ones the wheels tell the way
-constexpr double haste = 1.5;      // pushed, or down a slope, a robot is faster than it drives
+constexpr double overspeed_factor = 1.5;      // pushed, or down a slope, a robot is faster than it drives
 constexpr double jump_m = 0.05;
 constexpr double jump_rad = 0.1;
 
@@ -34,8 +34,8 @@ void PoseFusion::odometry(double time_s, const Pose2& T_odom_robot) {
 bool PoseFusion::is_possible(const Stamped& from, const Stamped& to) const {
     const Pose2 step = compose(inverse(from.pose), to.pose);
     const double time_s = to.time_s - from.time_s;
-    return std::hypot(step.x_m, step.y_m) <= haste * robot_.v_max_mps * time_s + jump_m &&
-           std::abs(step.yaw_rad) <= haste * robot_.omega_max_radps * time_s + jump_rad;
+    return std::hypot(step.x_m, step.y_m) <= overspeed_factor * robot_.v_max_mps * time_s + jump_m &&
+           std::abs(step.yaw_rad) <= overspeed_factor * robot_.omega_max_radps * time_s + jump_rad;
 }
 
 void PoseFusion::flow(double time_s, const std::optional<Pose2>& T_start_robot) {

@@ -11,7 +11,7 @@ namespace {
 constexpr double standing_mps = 0.01;
 constexpr double slowest_mps = 0.02;  // of the outline: slower is a stop
 constexpr int halvings = 5;           // of the search for the fastest speed
-constexpr double hurry = 1.5;         // a robot may be this much faster than its model
+constexpr double overspeed_factor = 1.5;         // a robot may be this much faster than its model
 constexpr double pose_jump_m = 0.25;
 constexpr double pose_jump_rad = 0.2;
 constexpr double rounding_m = 1e-7;
@@ -32,8 +32,8 @@ Guard::Guard(const RobotModel& robot, const GuardParams& params)
       sensor_(params.sensor),
       odometry_(robot, params.odometry),
       ground_(params.ground),
-      foresight_(robot, params.foresight, params.ground.cell_m),
-      hold_s_(params.foresight.period_s) {}
+      collision_checker_(robot, params.collision_checker, params.ground.cell_m),
+      hold_s_(params.collision_checker.period_s) {}
 
 void Guard::sensed(const SensorReport& report) {
     sensor_.sensed(report);
@@ -54,19 +54,19 @@ void Guard::proposed(double time_s, const MotionCommand& command) {
     proposal_ = TimedCommand{time_s, command};
 }
 
-Verdict Guard::judge(double time_s, const Pose2& T_map_robot, const MotionCommand& motion) {
+SafetyDecision Guard::check(double time_s, const Pose2& T_map_robot, const MotionCommand& motion) {
     note_pose(time_s, T_map_robot, motion);
     const Fault fault = held(fault_now(time_s), time_s);
-    const Surroundings now = foresight_.look(ground_, time_s, T_map_robot, motion);
-    Verdict verdict;
+    const Surroundings now = collision_checker_.look(ground_, time_s, T_map_robot, motion);
+    SafetyDecision safety;
     if (fault && !may_turn_out(fault, time_s)) {
-        verdict = {{}, GuardAction::Stop, fault.reason, fault.why};
+        safety = {{}, GuardAction::Stop, fault.reason, fault.why};
     } else {
-        verdict = allow(now, fault ? MotionCommand{0.0, limited().omega_radps} : limited());
-        if (fault && verdict.action == GuardAction::Pass)
-            verdict = {verdict.command, GuardAction::Slow, fault.reason, fault.why};
+        safety = allow(now, fault ? MotionCommand{0.0, limited().omega_radps} : limited());
+        if (fault && safety.action == GuardAction::Pass)
+            safety = {safety.command, GuardAction::Slow, fault.reason, fault.why};
     }
-    return sent(now, verdict);
+    return sent(now, safety);
 }
 
 Fault Guard::fault_now(double time_s) {
@@ -124,17 +124,17 @@ bool Guard::may_turn_out(const Fault& fault, double time_s) const {
 
 void Guard::note_pose(double time_s, const Pose2& T_map_robot, const MotionCommand& motion) {
     const double dt_s = last_ ? time_s - last_->time_s : 0.0;
-    hold_s_ = std::max(params_.foresight.period_s, std::min(dt_s, 1.0));
+    hold_s_ = std::max(params_.collision_checker.period_s, std::min(dt_s, 1.0));
     if (last_) {
         const Pose2 moved = compose(inverse(last_->T_map_robot), T_map_robot);
-        const double way_max_m = hurry * std::max(robot_.v_max_mps, robot_.v_back_mps) * dt_s + pose_jump_m;
-        const double turn_max_rad = hurry * robot_.omega_max_radps * dt_s + pose_jump_rad;
+        const double way_max_m = overspeed_factor * std::max(robot_.v_max_mps, robot_.v_back_mps) * dt_s + pose_jump_m;
+        const double turn_max_rad = overspeed_factor * robot_.omega_max_radps * dt_s + pose_jump_rad;
         if (std::hypot(moved.x_m, moved.y_m) > way_max_m || std::abs(moved.yaw_rad) > turn_max_rad) {
             ground_.forget();
             jumped_s_ = time_s;
         }
     }
-    ground_.drive_over(robot_.footprint_m, time_s, T_map_robot);
+    ground_.mark_traversed(robot_.footprint_m, time_s, T_map_robot);
     if (over_unseen_) crept_m_ += std::abs(motion.v_mps) * dt_s;
     const bool stands = std::abs(motion.v_mps) < standing_mps;
     if (stands && !standing_since_s_) standing_since_s_ = time_s;
@@ -149,13 +149,13 @@ MotionCommand Guard::limited() const {
 }
 
 Fault Guard::objection(const Surroundings& now, const MotionCommand& candidate) const {
-    const double fast_mps = foresight_.outline_mps(candidate);
+    const double fast_mps = collision_checker_.outline_mps(candidate);
     if (fast_mps == 0.0) return {};
-    const bool crawls = fast_mps <= params_.foresight.crawl_mps + rounding_m;
+    const bool crawls = fast_mps <= params_.collision_checker.crawl_mps + rounding_m;
     if (probing_since_s_ && !crawls) {
         return {GuardReason::OdometryContradiction, "flow and wheels must agree about a slow motion first"};
     }
-    const Outlook ahead = foresight_.outlook(ground_, now, sent_, candidate, hold_s_);
+    const Forecast ahead = collision_checker_.forecast(ground_, now, sent_, candidate, hold_s_);
     if (ahead.touches) {
         return {GuardReason::ObstacleAhead, sentence("an obstacle at (", ahead.where_m.x(), ", ",
                                                      ahead.where_m.y(), ") m, seen from the robot")};
@@ -169,36 +169,36 @@ Fault Guard::objection(const Surroundings& now, const MotionCommand& candidate) 
     return {};
 }
 
-Verdict Guard::allow(const Surroundings& now, const MotionCommand& wanted) const {
+SafetyDecision Guard::allow(const Surroundings& now, const MotionCommand& wanted) const {
     const Fault first = objection(now, wanted);
     if (!first) return {wanted, GuardAction::Pass, GuardReason::None, ""};
-    const double fast_mps = foresight_.outline_mps(wanted);
+    const double fast_mps = collision_checker_.outline_mps(wanted);
     double good = 0.0, bad = 1.0;
     const auto try_share = [&](double share) {
         (objection(now, scaled(wanted, share)) ? bad : good) = share;
     };
-    if (fast_mps > params_.foresight.crawl_mps) try_share(params_.foresight.crawl_mps / fast_mps);
+    if (fast_mps > params_.collision_checker.crawl_mps) try_share(params_.collision_checker.crawl_mps / fast_mps);
     for (int i = 0; i < halvings; ++i) try_share((good + bad) / 2);
     const MotionCommand slow = scaled(wanted, good);
-    if (foresight_.outline_mps(slow) < slowest_mps) return {{}, GuardAction::Stop, first.reason, first.why};
+    if (collision_checker_.outline_mps(slow) < slowest_mps) return {{}, GuardAction::Stop, first.reason, first.why};
     return {slow, GuardAction::Slow, first.reason, first.why};
 }
 
-Verdict Guard::sent(const Surroundings& now, const Verdict& verdict) {
+SafetyDecision Guard::sent(const Surroundings& now, const SafetyDecision& safety) {
     // Counts as creeping what may lead over unseen ground.
-    over_unseen_ = foresight_.outline_mps(verdict.command) > 0.0 &&
-                   foresight_.outlook(ground_, now, sent_, verdict.command, hold_s_).unseen;
-    sent_.push_back({now.time_s, verdict.command});
+    over_unseen_ = collision_checker_.outline_mps(safety.command) > 0.0 &&
+                   collision_checker_.forecast(ground_, now, sent_, safety.command, hold_s_).unseen;
+    sent_.push_back({now.time_s, safety.command});
     // The last one before the delay is still in force.
-    while (sent_.size() > 1 && sent_[1].time_s <= now.time_s - robot_.delay_s - params_.foresight.period_s)
+    while (sent_.size() > 1 && sent_[1].time_s <= now.time_s - robot_.delay_s - params_.collision_checker.period_s)
         sent_.pop_front();
-    log(now.time_s, verdict);
-    return verdict;
+    log(now.time_s, safety);
+    return safety;
 }
 
-void Guard::log(double time_s, const Verdict& verdict) {
+void Guard::log(double time_s, const SafetyDecision& safety) {
     const auto rank = [](const GuardEvent& e) { return std::pair(gravity(e.action), gravity(e.reason)); };
-    const GuardEvent event{time_s, verdict.action, verdict.reason, verdict.why};
+    const GuardEvent event{time_s, safety.action, safety.reason, safety.why};
     const bool same = !events_.empty() && rank(events_.back()) == rank(event);
     const bool milder = !events_.empty() && rank(event) < rank(events_.back());
     if (!milder) milder_since_s_.reset();

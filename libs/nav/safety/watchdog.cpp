@@ -56,7 +56,7 @@ void Watchdog::watch() {
         } else if (Clock::now() < due_) {
             changed_.wait_until(lock, due_);
         } else {
-            state_ = State::Barked;
+            state_ = State::Expired;
             lock.unlock();  // the callback may take its time, alive() must not wait for it
             stop_();
             lock.lock();

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace flownav {
+namespace flownav::obstacles {
 namespace {
 
 using Eigen::Vector2d;
@@ -29,11 +29,12 @@ Vector3d point_in_robot(const Vector2d& at, double depth_m, const CameraMount& m
             mount.height_m - depth_m * plane.below_horizon(at)};
 }
 
-std::optional<ObstaclePoint> obstacle_point(const Judgement& judgement, const Vector2d& last_at_px,
+std::optional<ObstaclePoint> obstacle_point(const Classification& classification, const Vector2d& last_at_px,
                                             const Pose2& T_end_mid, const CameraMount& mount,
                                             double sigma_travel_relative, const ObstacleParams& params) {
-    const double relative = std::hypot(judgement.sigma / judgement.inverse_depth, sigma_travel_relative);
-    const Vector3d p = point_in_robot(judgement.at, 1.0 / judgement.inverse_depth, mount);
+    const double relative =
+        std::hypot(classification.sigma / classification.inverse_depth, sigma_travel_relative);
+    const Vector3d p = point_in_robot(classification.at, 1.0 / classification.inverse_depth, mount);
     const double range = p.head<2>().norm();
     if (!(relative < worthless_sigma) || range > params.range_max_m || p.z() > params.height_max_m) {
         return std::nullopt;
@@ -56,4 +57,4 @@ std::optional<GroundPatch> ground_patch(const Vector2d& centre_px, const RayMapp
     return GroundPatch{transform(T_end_reference, *near), transform(T_end_reference, *far), width_m};
 }
 
-}  // namespace flownav
+}  // namespace flownav::obstacles

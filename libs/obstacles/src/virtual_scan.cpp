@@ -5,7 +5,7 @@
 
 #include "flownav/core/plane_geometry.h"
 
-namespace flownav {
+namespace flownav::obstacles {
 namespace {
 
 using Eigen::Vector2d;
@@ -71,4 +71,4 @@ void fill_scan(VirtualScan& scan, const std::vector<ObstaclePoint>& points,
     }
 }
 
-}  // namespace flownav
+}  // namespace flownav::obstacles

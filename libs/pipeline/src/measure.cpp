@@ -11,9 +11,10 @@ namespace {
 using Eigen::Vector2d;
 
 /// The flow that the ground would show.
-void predict_flow(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
-                  const MotionPrediction& prediction, Measurement& m) {
-    const GroundFlow ground_flow(reference.field.camera.mount, prediction);
+void predict_flow(const ReferenceImage& reference, const ReferenceImage& newest,
+                  const flow::BlockLayout& layout, const motion::MotionPrediction& prediction,
+                  Measurement& m) {
+    const motion::GroundFlow ground_flow(reference.field.camera.mount, prediction);
     m.predicted_px.resize(layout.size());
     for (std::size_t i = 0; i < layout.size(); ++i) {
         const Vector2d& at = layout.centre[i];
@@ -22,7 +23,7 @@ void predict_flow(const HeldField& reference, const HeldField& newest, const Blo
 }
 
 /// Maps what passed sifting to the normalised plane.
-void collect(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
+void collect(const ReferenceImage& reference, const ReferenceImage& newest, const flow::BlockLayout& layout,
              const Params& params, Measurement& m) {
     m.rays.resize(layout.size());
     m.samples.clear();
@@ -30,25 +31,25 @@ void collect(const HeldField& reference, const HeldField& newest, const BlockLay
     for (std::size_t i = 0; i < layout.size(); ++i) {
         m.placed += m.vectors[i].valid;
         if (!is_confident(m.vectors[i], params.flow)) continue;
-        m.rays[i] =
-            ray_flow(m.vectors[i], layout.centre[i], reference.mapper, newest.mapper, params.motion.geometry);
+        m.rays[i] = motion::ray_flow(m.vectors[i], layout.centre[i], reference.mapper, newest.mapper,
+                                     params.motion.geometry);
         m.samples.push_back({m.rays[i], layout.in_ground_window[i] != 0});
     }
 }
 
 }  // namespace
 
-bool is_confident(const FlowVector& vector, const FlowParams& params) {
+bool is_confident(const FlowVector& vector, const flow::FlowParams& params) {
     return vector.valid && vector.confidence >= params.confidence_min;
 }
 
-void measure(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
-             const MotionPrediction& prediction, const MeasureContext& context, Measurement& m) {
+void measure(const ReferenceImage& reference, const ReferenceImage& newest, const flow::BlockLayout& layout,
+             const motion::MotionPrediction& prediction, const MeasureContext& context, Measurement& m) {
     predict_flow(reference, newest, layout, prediction, m);
     context.matcher(reference.field.image, newest.field.image, layout, m.predicted_px, m.vectors);
     collect(reference, newest, layout, context.params, m);
-    m.estimate =
-        estimate_motion(m.samples, reference.field.camera, prediction, context.params.motion, m.scratch);
+    m.estimate = motion::estimate_motion(m.samples, reference.field.camera, prediction, context.params.motion,
+                                         m.scratch);
 }
 
 }  // namespace flownav::pipeline

@@ -10,7 +10,7 @@
 namespace flownav::pipeline {
 
 /// A field that is held, with the mapping of its own camera.
-struct HeldField {
+struct ReferenceImage {
     Field field;
     RayMapper mapper;
 };
@@ -20,25 +20,25 @@ struct HeldField {
 struct Measurement {
     std::vector<Eigen::Vector2d> predicted_px;
     std::vector<FlowVector> vectors;
-    std::vector<RayFlow> rays;          ///< of the vectors that passed sifting
-    std::vector<MotionSample> samples;  ///< the same, without gaps
-    MotionScratch scratch;
-    MotionEstimate estimate;
+    std::vector<RayFlow> rays;                  ///< of the vectors that passed sifting
+    std::vector<motion::MotionSample> samples;  ///< the same, without gaps
+    motion::MotionScratch scratch;
+    motion::MotionEstimate estimate;
     int placed = 0;
 };
 
 /// What a measurement needs to know besides the fields.
 struct MeasureContext {
     const Params& params;
-    const Matcher& matcher;
+    const flow::Matcher& matcher;
 };
 
 /// True when a vector is worth using.
-bool is_confident(const FlowVector& vector, const FlowParams& params);
+bool is_confident(const FlowVector& vector, const flow::FlowParams& params);
 
 /// Matches the blocks of a layout whose reference this is, with their windows where the prediction expects
 /// the ground, and estimates the motion.
-void measure(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
-             const MotionPrediction& prediction, const MeasureContext& context, Measurement& m);
+void measure(const ReferenceImage& reference, const ReferenceImage& newest, const flow::BlockLayout& layout,
+             const motion::MotionPrediction& prediction, const MeasureContext& context, Measurement& m);
 
 }  // namespace flownav::pipeline

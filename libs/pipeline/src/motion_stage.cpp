@@ -40,7 +40,7 @@ double chord_direction(const std::vector<ImageOfCycle>& cycle, double omega_rad)
 /// may be something that moves across the view: it must fill most of it and the floor before the robot must
 /// move along, or the last motion must be long gone.
 bool credible(const Impl& s, const Measurement& m, double since_last_s) {
-    const MotionEstimate& e = m.estimate;
+    const motion::MotionEstimate& e = m.estimate;
     // A handful agrees by chance, unless it is most of what there is.
     const int confident = static_cast<int>(m.samples.size());
     const double enough = std::min(inlier_share * confident, placed_share * m.placed);
@@ -59,7 +59,7 @@ void note_comparison(Impl& s) {
 
 /// True when a cycle has to end before its time: the view has changed so much that few of its first vectors
 /// are left, or two images could not be compared with the reference.
-bool worn_out(const Impl& s) {
+bool reference_degraded(const Impl& s) {
     const bool ok = s.step.status == FieldStatus::Ok;
     return s.failures >= failures_max || (ok && 2 * s.step.motion.inliers < s.first_inliers);
 }
@@ -94,9 +94,9 @@ EgoMotion counted_motion(const Impl& s, const CarriedParts& parts, double interv
 /// A rotation can be seen far away while the near floor moves so much faster than predicted that no window
 /// finds it, and then goes on not to be found. Looks for it with the first image of a cycle, whose flow is
 /// the shortest; s.measured holds it afterwards, or what it held before.
-void look_for_speed(Impl& s, const MeasureContext& context, double since_last_s) {
+void search_lost_travel(Impl& s, const MeasureContext& context, double since_last_s) {
     if (s.measured.estimate.motion.forward_measured || !s.cycle.empty()) return;
-    MotionPrediction known;
+    motion::MotionPrediction known;
     known.omega_rad = s.measured.estimate.motion.omega_rad;
     known.pitch_rad = s.measured.estimate.motion.pitch_rad;
     known.omega_tolerance_rad = turn_change_radps2 * since_last_s * since_last_s;
@@ -110,8 +110,8 @@ void look_for_speed(Impl& s, const MeasureContext& context, double since_last_s)
 
 }  // namespace
 
-MotionPrediction predict(const Impl& s, double since_last_s) {
-    MotionPrediction p;
+motion::MotionPrediction predict(const Impl& s, double since_last_s) {
+    motion::MotionPrediction p;
     p.omega_rad = s.rates.omega_radps * since_last_s;
     p.forward_m = s.rates.v_mps * seconds_since_reference(s);
     if (!s.cycle.empty()) {
@@ -124,14 +124,14 @@ MotionPrediction predict(const Impl& s, double since_last_s) {
     return p;
 }
 
-bool measure_newest(Impl& s, const MotionPrediction& prediction, double since_last_s) {
+bool measure_newest(Impl& s, const motion::MotionPrediction& prediction, double since_last_s) {
     const MeasureContext context{s.params, s.matcher};
     measure(s.reference, s.newest, s.layout, prediction, context, s.measured);
     if (credible(s, s.measured, since_last_s)) {
-        look_for_speed(s, context, since_last_s);
+        search_lost_travel(s, context, since_last_s);
         return true;
     }
-    MotionPrediction found =
+    motion::MotionPrediction found =
         search_motion(s.reference, s.newest, s.coarse_layout, prediction, context, s.trial);
     found.chord_rad = chord_direction(s.cycle, found.omega_rad);
     measure(s.reference, s.newest, s.layout, found, context, s.trial);
@@ -144,13 +144,14 @@ bool measure_newest(Impl& s, const MotionPrediction& prediction, double since_la
     return true;
 }
 
-void accept_motion(Impl& s, bool is_credible, const MotionPrediction& prediction, double since_last_s) {
+void accept_motion(Impl& s, bool is_credible, const motion::MotionPrediction& prediction,
+                   double since_last_s) {
     Step& out = s.step;
     const bool textured = static_cast<int>(s.measured.samples.size()) >= confident_min;
     out.status = !textured ? FieldStatus::NoTexture : is_credible ? FieldStatus::Ok : FieldStatus::Lost;
     const bool ok = out.status == FieldStatus::Ok;
     const EgoMotion& measured = s.measured.estimate.motion;
-    out.motion = ok ? measured : unmeasured_motion(prediction);
+    out.motion = ok ? measured : motion::unmeasured_motion(prediction);
     s.rates.known |= ok;
     s.rates.v_known |= out.motion.forward_measured;
     if (out.motion.forward_measured) {
@@ -164,7 +165,8 @@ void accept_motion(Impl& s, bool is_credible, const MotionPrediction& prediction
     out.counts.ground_window = measured.ground_window;
     const Derotation derotation(PlaneGeometry(s.reference.field.camera.mount), out.motion.omega_rad,
                                 out.motion.pitch_rad, s.params.motion.geometry);
-    const JudgedMotion judged(s.reference.field.camera, out.motion, s.measured.estimate.noise_factor);
+    const obstacles::ClassifierInput judged(s.reference.field.camera, out.motion,
+                                            s.measured.estimate.noise_factor);
     s.cycle.push_back({out.motion, derotation, judged, pose_half_way(out.motion)});
 }
 
@@ -190,7 +192,8 @@ void publish_motion(Impl& s, double since_last_s) {
                                        : blind_cycle_images;
     const bool complete = out.image_of_cycle >= out.cycle_images && ok;
     note_comparison(s);
-    out.end_of_cycle = worn_out(s) || complete;  // an image that could not be compared is no good reference
+    out.end_of_cycle =
+        reference_degraded(s) || complete;  // an image that could not be compared is no good reference
     out.v_measured = out.motion.forward_measured && out.end_of_cycle;
     if (ok) s.last_measured = {out.motion, out.timestamp_s};
 }

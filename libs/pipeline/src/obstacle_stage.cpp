@@ -1,6 +1,6 @@
 #include "obstacle_stage.h"
 
-#include "flownav/obstacles/hidden_floor.h"
+#include "flownav/obstacles/occlusion_check.h"
 #include "flownav/obstacles/points.h"
 #include "flownav/obstacles/virtual_scan.h"
 
@@ -15,12 +15,12 @@ double relative_travel_error(const EgoMotion& motion) {
     return motion.sigma_forward_m / std::max(std::abs(motion.forward_m), 1e-6);
 }
 
-void count_fate(BlockCounts& counts, BlockFate fate) {
-    counts.ground += fate == BlockFate::Ground;
-    counts.obstacle += fate == BlockFate::Obstacle;
-    counts.eliminated += fate == BlockFate::Eliminated;
-    counts.unsupported += fate == BlockFate::Unsupported;
-    counts.moving += fate == BlockFate::Moving;
+void count_fate(BlockCounts& counts, BlockLabel label) {
+    counts.ground += label == BlockLabel::Ground;
+    counts.obstacle += label == BlockLabel::Obstacle;
+    counts.eliminated += label == BlockLabel::Eliminated;
+    counts.unsupported += label == BlockLabel::Unsupported;
+    counts.moving += label == BlockLabel::Moving;
 }
 
 }  // namespace
@@ -29,19 +29,19 @@ void judge_blocks(State::Impl& s) {
     for (std::size_t i = 0; i < s.layout.size(); ++i) {
         const BlockRecord& block = s.step.blocks[i];
         s.judgements[i] = {};
-        s.judgements[i].fate = block.fate;
+        s.judgements[i].label = block.label;
         if (block.image_of_cycle == 0) continue;
         const ImageOfCycle& image = s.cycle[block.image_of_cycle - 1];
-        s.judgements[i] = judge(image.derotation(block.ray), image.judged, s.params.obstacles);
+        s.judgements[i] = obstacles::classify(image.derotation(block.ray), image.judged, s.params.obstacles);
         s.judgements[i].drift /= block.image_of_cycle;
         s.judgements[i].drift_sigma /= block.image_of_cycle;
     }
-    mark_movers(s.judgements, s.layout.neighbours, s.movers);
-    confirm_by_neighbours(s.judgements, s.layout.neighbours, s.params.obstacles);
+    obstacles::mark_dynamic_objects(s.judgements, s.layout.neighbours, s.movers);
+    obstacles::confirm_by_neighbours(s.judgements, s.layout.neighbours, s.params.obstacles);
     for (std::size_t i = 0; i < s.layout.size(); ++i) {
-        s.step.blocks[i].fate = s.judgements[i].fate;
+        s.step.blocks[i].label = s.judgements[i].label;
         s.step.blocks[i].excess_px = s.judgements[i].excess_px;
-        count_fate(s.step.counts, s.judgements[i].fate);
+        count_fate(s.step.counts, s.judgements[i].label);
     }
 }
 
@@ -68,8 +68,8 @@ bool persists(const State::Impl& s, int region) {
 
 /// The lower edge of the region's lowest block in the last field.
 Vector2d lowest_px(const State::Impl& s, int region) {
-    const Vector2d half_block(0.0, block_px / 2.0);
-    Vector2d lowest(0.0, -block_px);
+    const Vector2d half_block(0.0, flow::block_px / 2.0);
+    Vector2d lowest(0.0, -flow::block_px);
     for (std::size_t i = 0; i < s.layout.size(); ++i) {
         if (s.movers.region_of[i] != region) continue;
         const Vector2d edge_px = now_px(s, s.step.blocks[i]) + half_block;
@@ -81,12 +81,12 @@ Vector2d lowest_px(const State::Impl& s, int region) {
 /// Points of what moves by itself, at the range of its lowest row.
 void publish_movers(State::Impl& s) {
     for (int region = 0; region < s.movers.regions; ++region) {
-        const auto contact = ground_contact(lowest_px(s, region), s.newest.mapper);
+        const auto contact = obstacles::ground_contact(lowest_px(s, region), s.newest.mapper);
         if (!contact || !persists(s, region)) continue;
         for (std::size_t i = 0; i < s.layout.size(); ++i) {
             if (s.movers.region_of[i] != region) continue;
-            const auto point =
-                moving_point(now_px(s, s.step.blocks[i]), *contact, s.newest.mapper, s.params.obstacles);
+            const auto point = obstacles::moving_point(now_px(s, s.step.blocks[i]), *contact, s.newest.mapper,
+                                                       s.params.obstacles);
             if (point) s.step.obstacles.push_back(*point);
         }
     }
@@ -102,21 +102,22 @@ void publish_obstacles(State::Impl& s) {
     for (std::size_t i = 0; i < s.layout.size(); ++i) {
         const BlockRecord& block = out.blocks[i];
         if (block.image_of_cycle == 0) continue;
-        if (block.fate == BlockFate::Obstacle) {
+        if (block.label == BlockLabel::Obstacle) {
             const ImageOfCycle& image = s.cycle[block.image_of_cycle - 1];
-            const auto point = obstacle_point(s.judgements[i], block.vector.at_px + block.vector.flow_px,
-                                              compose(T_end_reference, image.T_reference_mid), mount,
-                                              relative_travel_error(image.motion), s.params.obstacles);
+            const auto point =
+                obstacles::obstacle_point(s.judgements[i], block.vector.at_px + block.vector.flow_px,
+                                          compose(T_end_reference, image.T_reference_mid), mount,
+                                          relative_travel_error(image.motion), s.params.obstacles);
             if (point) out.obstacles.push_back(*point);
-        } else if (block.fate == BlockFate::Ground) {
-            const auto patch = ground_patch(block.vector.at_px, s.reference.mapper, T_end_reference,
-                                            s.params.obstacles.range_max_m);
+        } else if (block.label == BlockLabel::Ground) {
+            const auto patch = obstacles::ground_patch(block.vector.at_px, s.reference.mapper,
+                                                       T_end_reference, s.params.obstacles.range_max_m);
             if (patch) out.ground.push_back(*patch);
         }
     }
     publish_movers(s);
-    drop_hidden_floor(out.obstacles, {mount.forward_m, mount.left_m}, out.ground);
-    fill_scan(out.scan, out.obstacles, out.ground);
+    obstacles::remove_occluded_floor(out.obstacles, {mount.forward_m, mount.left_m}, out.ground);
+    obstacles::fill_scan(out.scan, out.obstacles, out.ground);
 }
 
 }  // namespace flownav::pipeline

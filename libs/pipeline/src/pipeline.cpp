@@ -24,8 +24,8 @@ double last_picture_s(const Impl& s) {
 }
 
 void aim_layouts(Impl& s) {
-    set_reference(s.layout, s.reference.mapper);
-    set_reference(s.coarse_layout, s.reference.mapper);
+    flow::set_reference(s.layout, s.reference.mapper);
+    flow::set_reference(s.coarse_layout, s.reference.mapper);
 }
 
 /// The newest field becomes the reference of a new cycle.
@@ -46,17 +46,17 @@ void forget_last_cycle(Impl& s) {
 }
 
 void new_layout(Impl& s) {
-    s.layout = place_blocks(s.newest.mapper, s.params.flow);
-    s.coarse_layout = every_nth(s.layout, coarse_step);
+    s.layout = flow::place_blocks(s.newest.mapper, s.params.flow);
+    s.coarse_layout = flow::every_nth(s.layout, coarse_step);
     s.judgements.resize(s.layout.size());
     s.moved_before.assign(s.layout.size(), 0);
     s.step.blocks.assign(s.layout.size(), {});
-    s.step.scan = scan_layout(s.newest.mapper, s.params.obstacles);
+    s.step.scan = obstacles::scan_layout(s.newest.mapper, s.params.obstacles);
 }
 
 /// What is learnt of the pitch is used from the next cycle on, by its reference and all that is compared with
 /// it.
-void correct_pitch(Impl& s, HeldField& held) {
+void correct_pitch(Impl& s, ReferenceImage& held) {
     s.step.pitch_correction_rad = s.pitch.correction_rad();
     if (s.pitch.correction_rad() == 0.0) return;
     held.field.camera.mount.pitch_rad = s.camera.mount.pitch_rad + s.pitch.correction_rad();
@@ -104,11 +104,11 @@ void record_vectors(Impl& s, bool is_credible) {
         if (!block.fresh && block.image_of_cycle > 0) continue;
         block.vector = vector;
         block.ray = block.fresh ? s.measured.rays[i] : RayFlow{};
-        block.fate = block.fresh    ? BlockFate::Unjudged
-                     : vector.valid ? BlockFate::Sifted
-                                    : BlockFate::Unplaced;
+        block.label = block.fresh    ? BlockLabel::Unjudged
+                      : vector.valid ? BlockLabel::Sifted
+                                     : BlockLabel::Unplaced;
         block.image_of_cycle = block.fresh ? s.step.image_of_cycle : 0;
-        block.omega_rad = block.fresh ? omega_of(block.ray, plane, {1.0, 0.0}) : 0.0;
+        block.omega_rad = block.fresh ? motion::omega_of(block.ray, plane, {1.0, 0.0}) : 0.0;
     }
 }
 
@@ -140,7 +140,7 @@ double begin_step(Impl& s, const Field& field, FieldFault fault) {
 void compare(Impl& s, double since_last_s) {
     if (s.cycle.empty()) forget_last_cycle(s);
     s.step.image_of_cycle = static_cast<int>(s.cycle.size()) + 1;
-    const MotionPrediction prediction = predict(s, since_last_s);
+    const motion::MotionPrediction prediction = predict(s, since_last_s);
     const bool is_credible = measure_newest(s, prediction, since_last_s);
     record_vectors(s, is_credible);
     accept_motion(s, is_credible, prediction, since_last_s);
@@ -167,19 +167,19 @@ void follow(Impl& s, const Field& field) {
     }
 }
 
-Matcher own_matcher(const Params& params) {
-    if (params.flow.matcher != MatcherKind::Sad) {
+flow::Matcher own_matcher(const Params& params) {
+    if (params.flow.matcher != flow::MatcherKind::Sad) {
         throw std::invalid_argument(
             "flow.matcher = lk: the pipeline itself has no such matcher; give it one, or use make_state() of "
             "flownav::sensor");
     }
-    return BlockMatcher(params.flow, params.threads);
+    return flow::BlockMatcher(params.flow, params.threads);
 }
 
 }  // namespace
 
 State::State(const Params& params) : State(params, own_matcher(params)) {}
-State::State(const Params& params, Matcher matcher) : impl_(std::make_unique<Impl>()) {
+State::State(const Params& params, flow::Matcher matcher) : impl_(std::make_unique<Impl>()) {
     impl_->params = params;
     impl_->matcher = std::move(matcher);
 }
@@ -213,7 +213,7 @@ const Step& step(State& state, const Field& field) {
 }
 
 const char* kernel_name() {
-    return default_kernel().name;
+    return flow::default_kernel().name;
 }
 
 }  // namespace flownav::pipeline

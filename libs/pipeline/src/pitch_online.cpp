@@ -19,13 +19,14 @@ constexpr double correction_max_rad = 5.0 * deg;
 
 }  // namespace
 
-void PitchOnline::observe(const std::vector<MotionSample>& samples, const CameraModel& camera,
+void PitchOnline::observe(const std::vector<motion::MotionSample>& samples, const CameraModel& camera,
                           const EgoMotion& motion, Geometry geometry) {
     if (!motion.forward_measured) return;
     rays_.clear();
-    for (const MotionSample& sample : samples) rays_.push_back(sample.ray);
-    const Steadiness steadiness{std::sqrt(pitch_variance_rad2_), std::numeric_limits<double>::infinity()};
-    const PairFit fit = fit_pair(rays_, camera, motion, geometry, steadiness, scratch_);
+    for (const motion::MotionSample& sample : samples) rays_.push_back(sample.ray);
+    const motion::PitchPrior pitch_prior{std::sqrt(pitch_variance_rad2_),
+                                         std::numeric_limits<double>::infinity()};
+    const motion::PairFit fit = motion::fit_pair(rays_, camera, motion, geometry, pitch_prior, scratch_);
     const bool plain_floor = fit.equations.pairs > 0 && fit.ground_vectors >= ground_vectors_min &&
                              fit.ground_vectors >= ground_share_min * fit.near_vectors &&
                              fit.noise_factor <= noise_factor_max;
@@ -33,7 +34,7 @@ void PitchOnline::observe(const std::vector<MotionSample>& samples, const Camera
 }
 
 void PitchOnline::learn(const EgoMotion& motion) {
-    const PoseCorrection found = solve(only(cycle_, {true, false, false}));
+    const motion::PoseCorrection found = motion::solve(motion::select(cycle_, {true, false, false}));
     cycle_ = {};
     pitch_variance_rad2_ += variance_gain * (motion.pitch_rad * motion.pitch_rad - pitch_variance_rad2_);
     pitch_variance_rad2_ = std::max(pitch_variance_rad2_, variance_min_rad2);

@@ -16,8 +16,8 @@ class PitchOnline {
     void restart() { *this = PitchOnline(); }
 
     /// Takes in an image of the running cycle. `camera`: with the correction so far.
-    void observe(const std::vector<MotionSample>& samples, const CameraModel& camera, const EgoMotion& motion,
-                 Geometry geometry);
+    void observe(const std::vector<motion::MotionSample>& samples, const CameraModel& camera,
+                 const EgoMotion& motion, Geometry geometry);
 
     /// Corrects, at the end of a cycle with this motion.
     void learn(const EgoMotion& motion);
@@ -26,9 +26,9 @@ class PitchOnline {
     double correction_rad_ = 0.0;
     int cycles_ = 2;  ///< believed; begins as if there had been two: no jump after a single one
     double pitch_variance_rad2_ = 3e-8;  ///< of the camera's pitch over a cycle: 0.01 deg to begin with
-    PoseEquations cycle_;
+    motion::PoseEquations cycle_;
     std::vector<RayFlow> rays_;
-    PoseScratch scratch_;
+    motion::PoseScratch scratch_;
 };
 
 }  // namespace flownav::pipeline

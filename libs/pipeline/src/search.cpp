@@ -31,7 +31,7 @@ double turn_step_rad(const CameraModel& camera) {
 }
 
 /// Travel that moves the ground at the lower border by one window step, metres.
-double travel_step_m(const HeldField& held) {
+double travel_step_m(const ReferenceImage& held) {
     const CameraModel& camera = held.field.camera;
     const PlaneGeometry plane(camera.mount);
     const Vector2d at = held.mapper.ray({camera.width_px / 2.0, camera.height_px - 1.0});
@@ -41,15 +41,15 @@ double travel_step_m(const HeldField& held) {
 
 /// The best of the motions that were tried.
 struct Trials {
-    const HeldField& reference;
-    const HeldField& newest;
-    const BlockLayout& layout;
+    const ReferenceImage& reference;
+    const ReferenceImage& newest;
+    const flow::BlockLayout& layout;
     const MeasureContext& context;
     Measurement& m;
-    MotionPrediction best;
+    motion::MotionPrediction best;
     int best_support = -1;
 
-    void measure_from(const MotionPrediction& start) {
+    void measure_from(const motion::MotionPrediction& start) {
         measure(reference, newest, layout, start, context, m);
         const EgoMotion& found = m.estimate.motion;
         const int support = found.inliers + found.ground_window;
@@ -69,7 +69,7 @@ struct Trials {
 };
 
 /// The mean of each 4 x 4 pixels, seen by a camera with pixels four times as large.
-HeldField quartered(const HeldField& held) {
+ReferenceImage quartered(const ReferenceImage& held) {
     const ImageView& from = held.field.image;
     const int width = from.width_px / quarter;
     const int height = from.height_px / quarter;
@@ -83,7 +83,7 @@ HeldField quartered(const HeldField& held) {
                 static_cast<std::uint8_t>((sum + quarter * quarter / 2) / (quarter * quarter));
         }
     }
-    HeldField small = held;
+    ReferenceImage small = held;
     CameraModel& camera = small.field.camera;
     camera.width_px = width;
     camera.height_px = height;
@@ -99,13 +99,13 @@ HeldField quartered(const HeldField& held) {
 }
 
 /// The best motion between images of a quarter of the size.
-MotionPrediction search_quartered(const HeldField& reference, const HeldField& newest, std::size_t blocks,
-                                  const MeasureContext& context) {
-    const HeldField small_reference = quartered(reference);
-    const HeldField small_newest = quartered(newest);
-    FlowParams params = context.params.flow;
+motion::MotionPrediction search_quartered(const ReferenceImage& reference, const ReferenceImage& newest,
+                                          std::size_t blocks, const MeasureContext& context) {
+    const ReferenceImage small_reference = quartered(reference);
+    const ReferenceImage small_newest = quartered(newest);
+    flow::FlowParams params = context.params.flow;
     params.blocks = static_cast<int>(blocks);
-    const BlockLayout layout = place_blocks(small_reference.mapper, params);
+    const flow::BlockLayout layout = flow::place_blocks(small_reference.mapper, params);
     Measurement m;
     Trials trials{small_reference, small_newest, layout, context, m, {}, -1};
     trials.slide_windows(quarter_extent);
@@ -114,13 +114,14 @@ MotionPrediction search_quartered(const HeldField& reference, const HeldField& n
 
 }  // namespace
 
-MotionPrediction search_motion(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
-                               const MotionPrediction& prediction, const MeasureContext& context,
-                               Measurement& m) {
+motion::MotionPrediction search_motion(const ReferenceImage& reference, const ReferenceImage& newest,
+                                       const flow::BlockLayout& layout,
+                                       const motion::MotionPrediction& prediction,
+                                       const MeasureContext& context, Measurement& m) {
     Trials trials{reference, newest, layout, context, m, {}, -1};
     const double pitch_rad = window_step_px / reference.field.camera.fy_px;
     for (int i = -pitch_steps; i <= pitch_steps; ++i) {
-        MotionPrediction start = prediction;
+        motion::MotionPrediction start = prediction;
         start.pitch_rad += i * pitch_rad;
         trials.measure_from(start);
     }
@@ -129,13 +130,14 @@ MotionPrediction search_motion(const HeldField& reference, const HeldField& newe
     return trials.best;
 }
 
-MotionPrediction search_travel(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
-                               const MotionPrediction& known, const MeasureContext& context, Measurement& m) {
-    MotionPrediction best = known;
+motion::MotionPrediction search_travel(const ReferenceImage& reference, const ReferenceImage& newest,
+                                       const flow::BlockLayout& layout, const motion::MotionPrediction& known,
+                                       const MeasureContext& context, Measurement& m) {
+    motion::MotionPrediction best = known;
     int best_support = 0;
     const double travel_m = travel_step_m(reference);
     for (int k = -travels_back; k <= full_extent.travels; ++k) {
-        MotionPrediction start = known;
+        motion::MotionPrediction start = known;
         start.forward_m = k * travel_m;
         measure(reference, newest, layout, start, context, m);
         const EgoMotion& found = m.estimate.motion;

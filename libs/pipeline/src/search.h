@@ -8,13 +8,15 @@ namespace flownav::pipeline {
 /// reaches four times as far. Returns the motion with the most support among the blocks of `layout`, a few
 /// of those that are measured otherwise; m holds the last trial afterwards. The quarter images are made
 /// anew: a search allocates, following a motion does not.
-MotionPrediction search_motion(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
-                               const MotionPrediction& prediction, const MeasureContext& context,
-                               Measurement& m);
+motion::MotionPrediction search_motion(const ReferenceImage& reference, const ReferenceImage& newest,
+                                       const flow::BlockLayout& layout,
+                                       const motion::MotionPrediction& prediction,
+                                       const MeasureContext& context, Measurement& m);
 
 /// Finds a travel that is far from the predicted one, for a rotation that is known: by windows slid along e.
 /// Returns `known` with the travel that most of the floor agrees with, or with its own where none is found.
-MotionPrediction search_travel(const HeldField& reference, const HeldField& newest, const BlockLayout& layout,
-                               const MotionPrediction& known, const MeasureContext& context, Measurement& m);
+motion::MotionPrediction search_travel(const ReferenceImage& reference, const ReferenceImage& newest,
+                                       const flow::BlockLayout& layout, const motion::MotionPrediction& known,
+                                       const MeasureContext& context, Measurement& m);
 
 }  // namespace flownav::pipeline

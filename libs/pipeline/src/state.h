@@ -4,7 +4,7 @@
 
 #include "carried_error.h"
 #include "flownav/flow/block_layout.h"
-#include "flownav/obstacles/movers.h"
+#include "flownav/obstacles/dynamic_objects.h"
 #include "flownav/pipeline/pipeline.h"
 #include "measure.h"
 #include "pitch_online.h"
@@ -15,7 +15,7 @@ namespace flownav::pipeline {
 struct ImageOfCycle {
     EgoMotion motion;
     Derotation derotation;
-    JudgedMotion judged;
+    obstacles::ClassifierInput judged;
     Pose2 T_reference_mid;  ///< half-way, where the vectors are evaluated
 };
 
@@ -32,19 +32,19 @@ struct Rates {
 
 struct State::Impl {
     Params params;
-    Matcher matcher;
+    flow::Matcher matcher;
 
     // The ring: the reference is frozen for a cycle, the newest is compared with it and follows it; the third
     // field of [P] 4.3 is the one that the caller is filling.
-    HeldField reference;
-    HeldField newest;
+    ReferenceImage reference;
+    ReferenceImage newest;
     bool has_reference = false;
     std::optional<double> newest_s;  ///< time stamp of the newest field whose time was right
     CameraModel camera;              ///< of the layout, as it came with its field
     PitchOnline pitch;
 
-    BlockLayout layout;
-    BlockLayout coarse_layout;  ///< every few blocks of it, for the search without prediction
+    flow::BlockLayout layout;
+    flow::BlockLayout coarse_layout;  ///< every few blocks of it, for the search without prediction
     Rates rates;
     Pose2 T_start_reference;
     struct {
@@ -58,9 +58,9 @@ struct State::Impl {
 
     Measurement measured;  ///< of the newest field
     Measurement trial;     ///< of a hypothesis
-    std::vector<Judgement> judgements;
-    MoverRegions movers;             ///< among the blocks of the running cycle
-    std::vector<char> moved_before;  ///< 1: the block belonged to a mover at the end of the last cycle
+    std::vector<obstacles::Classification> judgements;
+    obstacles::DynamicRegions movers;  ///< among the blocks of the running cycle
+    std::vector<char> moved_before;    ///< 1: the block belonged to a mover at the end of the last cycle
     CarriedError carried_error;
     Step step;
 };

@@ -81,10 +81,10 @@ std::size_t rawlogs_in(const std::vector<Deviation>& deviations) {
 void write_atomically(const fs::path& file, const std::string& text) {
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     const ScratchFolder scratch(folder, "." + file.filename().string());
-    write_file(scratch.path() / "new", text);
+    io::write_file(scratch.path() / "new", text);
     std::error_code error;
     fs::rename(scratch.path() / "new", file, error);
-    if (error) throw OutputError("cannot write " + file.string() + ": " + error.message());
+    if (error) throw io::OutputError("cannot write " + file.string() + ": " + error.message());
 }
 
 RunTally replay_all(const std::vector<Job>& jobs, const Options& options, std::ostream& out,

@@ -52,31 +52,33 @@ std::string summary_html(const Comparison& comparison) {
     const bool complete = comparison.only_before.empty() && comparison.only_after.empty();
     const bool bad = !complete || tally.rawlogs == 0 || tally.worse > 0;
     const char* const look = bad ? "bad" : tally.beyond > 0 ? "changed" : "good";
-    return std::string("<p class='") + look + "'>" + html::escaped(tally_text(tally)) + "</p>\n";
+    return std::string("<p class='") + look + "'>" + report::html::escaped(tally_text(tally)) + "</p>\n";
 }
 
 std::string rawlogs_html(const char* what, const std::vector<std::string>& ids) {
     if (ids.empty()) return "";
     std::string list;
     for (const std::string& id : ids) list += (list.empty() ? "" : ", ") + id;
-    return html::paragraph(what + std::string(": ") + list);
+    return report::html::paragraph(what + std::string(": ") + list);
 }
 
 /// What the two runs are, and what is not the same in them.
 std::string runs_html(const Comparison& comparison, const NamedRuns& runs) {
-    std::string rows = html::row({{"folder"}, {runs.name_before}, {runs.name_after}}) +
-                       html::row({{"program"}, {comparison.program_before}, {comparison.program_after}});
+    std::string rows =
+        report::html::row({{"folder"}, {runs.name_before}, {runs.name_after}}) +
+        report::html::row({{"program"}, {comparison.program_before}, {comparison.program_after}});
     for (const SettingChange& setting : comparison.settings) {
         const bool everywhere = setting.rawlogs == comparison.ids.size();
         const std::string where = everywhere ? "" : ", in " + count_text(setting.rawlogs, "rawlog");
-        rows += html::row({{setting.key + where}, {setting.before}, {setting.after}}, setting.key);
+        rows += report::html::row({{setting.key + where}, {setting.before}, {setting.after}}, setting.key);
     }
     std::string note;
-    if (comparison.settings.empty()) note = html::paragraph("Both have the same settings.");
+    if (comparison.settings.empty()) note = report::html::paragraph("Both have the same settings.");
     if (comparison.other_setup && comparison.settings.empty() &&
         comparison.program_before == comparison.program_after)
-        note = html::paragraph("Both have the same settings and version, but the program is another file.");
-    return "<div class='runs'>" + html::table({{""}, {"A"}, {"B"}}, rows) + "</div>" + note +
+        note = report::html::paragraph(
+            "Both have the same settings and version, but the program is another file.");
+    return "<div class='runs'>" + report::html::table({{""}, {"A"}, {"B"}}, rows) + "</div>" + note +
            rawlogs_html("Only in A", comparison.only_before) +
            rawlogs_html("Only in B", comparison.only_after) +
            rawlogs_html("Not the same recording in A and B", comparison.other_rawlog);

@@ -16,7 +16,7 @@ using Row = std::array<std::string, columns>;
 constexpr std::array<bool, columns> is_number = {false, false, true, true, true, true, false};
 
 std::string severity_text(double severity) {
-    return std::isfinite(severity) ? fixed_text(severity, 1) : "";
+    return std::isfinite(severity) ? cli::fixed_text(severity, 1) : "";
 }
 
 Row row_of(const Change& change) {

@@ -27,12 +27,12 @@ Json rounded(double value, int decimals) {
 Json rounded_all(const std::vector<double>& values, int decimals) {
     Json array = Json::array();
     for (const double value : values)
-        array.push_back(value == ReportSeries::gap ? Json(false) : rounded(value, decimals));
+        array.push_back(value == report::ReportSeries::gap ? Json(false) : rounded(value, decimals));
     return array;
 }
 
-Json chart_json(const ReportChart& whole) {
-    const ReportChart chart = thinned(whole, most_times);
+Json chart_json(const report::ReportChart& whole) {
+    const report::ReportChart chart = report::thinned(whole, most_times);
     return {{"id", chart.id},
             {"title", chart.title},
             {"unit", chart.unit},
@@ -86,9 +86,9 @@ Json maps_json(const RawlogResult& before, const RawlogResult& after) {
             {"onlyA", maps->only_before},
             {"onlyB", maps->only_after},
             {"both", maps->both},
-            {"a", png_uri(maps->before)},
-            {"b", png_uri(maps->after)},
-            {"difference", png_uri(difference_picture(*maps, colours))}};
+            {"a", report::png_uri(maps->before)},
+            {"b", report::png_uri(maps->after)},
+            {"difference", report::png_uri(difference_picture(*maps, colours))}};
 }
 
 }  // namespace
@@ -102,7 +102,7 @@ std::string css_colour(const cv::Vec3b& colour) {
 Json drive_pair(const RawlogResult& before, const RawlogResult& after) {
     Json pair = {{"ways", ways_json(before, after)}, {"maps", maps_json(before, after)}};
     pair["charts"] = Json::array();
-    for (const ReportChart& chart :
+    for (const report::ReportChart& chart :
          paired_charts(read_csv(before.folder / "egomotion.csv"), read_csv(after.folder / "egomotion.csv")))
         pair["charts"].push_back(chart_json(chart));
     return pair["ways"].is_null() && pair["maps"].is_null() && pair["charts"].empty() ? Json(nullptr) : pair;

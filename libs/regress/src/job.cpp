@@ -8,11 +8,11 @@ namespace flownav::regress {
 
 namespace {
 
-Config config_of(const ManifestEntry& entry, const JobSetup& setup) {
-    Config config = configuration(setup.config, {});
-    if (!entry.config.empty()) load_config_file(config, setup.root / entry.config);
-    apply_settings(config, entry.settings);
-    apply_settings(config, setup.settings);
+config::Config config_of(const ManifestEntry& entry, const JobSetup& setup) {
+    config::Config config = cli::configuration(setup.config, {});
+    if (!entry.config.empty()) config::load_config_file(config, setup.root / entry.config);
+    cli::apply_settings(config, entry.settings);
+    cli::apply_settings(config, setup.settings);
     return config;
 }
 
@@ -23,15 +23,15 @@ Job make_job(const ManifestEntry& entry, const JobSetup& setup) try {
     job.id = job.title = entry.id;
     job.rawlog = setup.root / entry.rawlog;
     job.sha256 = entry.sha256;
-    job.ini = dump_changes(config_of(entry, setup));
+    job.ini = config::dump_changes(config_of(entry, setup));
     job.program = setup.program;
     job.output = setup.output;
     job.setup = sha256_of_text(setup.program.version + '\n' + setup.program.sha256 + '\n' +
-                               dump_changes(configuration(setup.config, setup.settings)));
+                               config::dump_changes(cli::configuration(setup.config, setup.settings)));
     job.key = sha256_of_text(job.sha256 + '\n' + job.setup + '\n' + job.ini);
     return job;
-} catch (const ConfigError& error) {
-    throw ConfigError(entry.id + ": " + error.what());
+} catch (const config::ConfigError& error) {
+    throw config::ConfigError(entry.id + ": " + error.what());
 }
 
 std::vector<Job> make_jobs(const Manifest& manifest, const JobSetup& setup) {

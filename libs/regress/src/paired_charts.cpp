@@ -60,30 +60,30 @@ bool ends_cycle(const Columns& run, std::size_t row) {
 }
 
 double value_at(const Columns& run, const Quantity& quantity, std::size_t row) {
-    if (row == MergedTimes::none) return ReportSeries::none;
-    if (quantity.of_cycles && !ends_cycle(run, row)) return ReportSeries::none;
+    if (row == MergedTimes::none) return report::ReportSeries::none;
+    if (quantity.of_cycles && !ends_cycle(run, row)) return report::ReportSeries::none;
     const double value = run.at(quantity.column)[row];
-    return std::isfinite(value) ? value * quantity.factor : ReportSeries::gap;
+    return std::isfinite(value) ? value * quantity.factor : report::ReportSeries::gap;
 }
 
 /// B - A at every time at which one of them has a value. What a cycle found holds until the end of the next.
 std::vector<double> differences(const std::vector<double>& a, const std::vector<double>& b, bool holds) {
     std::vector<double> values;
-    double last_a = ReportSeries::none;
-    double last_b = ReportSeries::none;
+    double last_a = report::ReportSeries::none;
+    double last_b = report::ReportSeries::none;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        if (!holds || a[i] != ReportSeries::none) last_a = a[i];
-        if (!holds || b[i] != ReportSeries::none) last_b = b[i];
+        if (!holds || a[i] != report::ReportSeries::none) last_a = a[i];
+        if (!holds || b[i] != report::ReportSeries::none) last_b = b[i];
         const bool news = std::isfinite(a[i]) || std::isfinite(b[i]);
         const bool known = std::isfinite(last_a) && std::isfinite(last_b);
-        values.push_back(news && known ? last_b - last_a : ReportSeries::none);
+        values.push_back(news && known ? last_b - last_a : report::ReportSeries::none);
     }
     return values;
 }
 
-ReportChart chart_of(const Quantity& quantity, const Columns& before, const Columns& after,
-                     const MergedTimes& times) {
-    ReportChart chart;
+report::ReportChart chart_of(const Quantity& quantity, const Columns& before, const Columns& after,
+                             const MergedTimes& times) {
+    report::ReportChart chart;
     chart.id = quantity.column;
     chart.title = quantity.title;
     chart.unit = quantity.unit;
@@ -109,8 +109,8 @@ bool has(const Columns& run, const char* column) {
 
 }  // namespace
 
-std::vector<ReportChart> paired_charts(const Columns& before, const Columns& after) {
-    std::vector<ReportChart> charts;
+std::vector<report::ReportChart> paired_charts(const Columns& before, const Columns& after) {
+    std::vector<report::ReportChart> charts;
     for (const Quantity& quantity : quantities) {
         if (!has(before, quantity.column) || !has(after, quantity.column)) continue;
         const MergedTimes times = merged(before.at("timestamp"), after.at("timestamp"));

@@ -90,7 +90,7 @@ std::optional<MapFile> read_map(const std::filesystem::path& folder) try {
     if (!std::filesystem::exists(folder / "map.yaml")) return std::nullopt;
     const auto yaml = mrpt::containers::yaml::FromFile(folder / "map.yaml");
     MapFile map;
-    map.cells = read_picture(folder / "map.pgm", cv::IMREAD_GRAYSCALE);
+    map.cells = io::read_picture(folder / "map.pgm", cv::IMREAD_GRAYSCALE);
     map.cell_m = yaml["resolution"].as<double>();
     map.left_m = yaml["origin"](0).as<double>();
     map.bottom_m = yaml["origin"](1).as<double>();

@@ -102,8 +102,8 @@ void part_timing(const std::filesystem::path& folder) {
     if (!summary || !summary->contains("timing")) return;
     const Json timing = std::move((*summary)["timing"]);
     summary->erase("timing");
-    write_file(folder / "timing.json", text_of(timing));
-    write_file(folder / "summary.json", text_of(*summary));
+    io::write_file(folder / "timing.json", text_of(timing));
+    io::write_file(folder / "summary.json", text_of(*summary));
 }
 
 }  // namespace flownav::regress

@@ -57,9 +57,9 @@ void RunProgress::finish(const RunTally& tally) {
     if (quiet_) return;
     const double seconds = elapsed_s();
     out_ << tally.all << (tally.all == 1 ? " rawlog: " : " rawlogs: ") << counts(tally) << ", in "
-         << fixed_text(seconds, 1) << " s";
+         << cli::fixed_text(seconds, 1) << " s";
     if (tally.driven_s > 0.0 && seconds > 0.0)
-        out_ << "; " << fixed_text(tally.driven_s / seconds, 1) << " s of driving per second";
+        out_ << "; " << cli::fixed_text(tally.driven_s / seconds, 1) << " s of driving per second";
     out_ << std::endl;
 }
 

@@ -114,7 +114,7 @@ class Runner {
         }
         try {
             start(job, store);
-        } catch (const OutputError& error) {
+        } catch (const io::OutputError& error) {
             not_stored(job, error.what());
         } catch (const std::system_error& error) {
             not_stored(job, error.what());
@@ -123,7 +123,7 @@ class Runner {
 
     void start(const Job& job, const Store& store) {
         ScratchFolder folder = store.scratch(job.id);
-        write_file(folder.path() / config_name, job.ini);
+        io::write_file(folder.path() / config_name, job.ini);
         const pid_t child =
             start_child({job.rawlog, job.sha256, job.program.file, folder.path(), folder.path() / config_name,
                          folder.path() / messages_name, folder.lock()});
@@ -175,8 +175,8 @@ class Runner {
 
     void finish(const Running& ended, int state) try {
         const int status = WIFEXITED(state) ? WEXITSTATUS(state) : -1;
-        if (status == static_cast<int>(ExitStatus::Output) && !ended.too_long)
-            throw OutputError(tail_of(ended.folder.path() / messages_name));
+        if (status == static_cast<int>(replay::ExitStatus::Output) && !ended.too_long)
+            throw io::OutputError(tail_of(ended.folder.path() / messages_name));
         part_timing(ended.folder.path());
         Result result = result_of(*ended.job, status, ended.folder.path());
         if (ended.too_long) {
@@ -187,7 +187,7 @@ class Runner {
         }
         result.reason.empty() ? store_done(ended, result) : store_failed(ended, result);
         listener_.progress(tally_);
-    } catch (const OutputError& error) {
+    } catch (const io::OutputError& error) {
         not_stored(*ended.job, error.what());
     } catch (const fs::filesystem_error& error) {
         not_stored(*ended.job, error.what());
@@ -204,7 +204,7 @@ class Runner {
         const fs::path& folder = ended.folder.path();
         fs::remove(folder / messages_name);
         if (options_.keep == Keep::FiguresOnly) keep_figures_only(folder);
-        write_file(folder / result_file, result_text(result));
+        io::write_file(folder / result_file, result_text(result));
         Store(ended.job->output).commit_done(ended.folder, result.id, result.key, options_.force);
         ++tally_.replayed;
         const auto duration_s = result.figures.find("drive.duration_s");
@@ -213,7 +213,7 @@ class Runner {
 
     void store_failed(const Running& ended, Result& result) {
         result.messages = tail_of(ended.folder.path() / messages_name);
-        write_file(ended.folder.path() / failure_file, result_text(result));
+        io::write_file(ended.folder.path() / failure_file, result_text(result));
         Store(ended.job->output).commit_failed(ended.folder, result.id, result.key);
         ++tally_.failed;
         const std::string last_line = last_line_of(result.messages);

@@ -32,7 +32,7 @@ Settings settings_of(const std::string& text) {
 std::string default_of(const std::string& name) {
     static const Settings defaults = [] {
         Settings values;
-        for (const ConfigKey& key : config_keys())
+        for (const config::ConfigKey& key : config::config_keys())
             values[setting_name(key.section, key.name)] = key.default_value;
         return values;
     }();

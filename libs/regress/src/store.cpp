@@ -23,8 +23,8 @@ namespace {
 fs::path make_unique_folder(const fs::path& parent, const std::string& name) {
     std::string path = parent / (name + ".XXXXXX");
     if (mkdtemp(path.data()) == nullptr)
-        throw OutputError("cannot make a folder in " + parent.string() + ": " +
-                          std::generic_category().message(errno));
+        throw io::OutputError("cannot make a folder in " + parent.string() + ": " +
+                              std::generic_category().message(errno));
     return path;
 }
 
@@ -43,7 +43,8 @@ void flush_to_disk(const fs::path& path) {
     const int reason = errno;
     if (descriptor >= 0) close(descriptor);
     if (!flushed && reason != EINVAL)
-        throw OutputError("cannot write " + path.string() + ": " + std::generic_category().message(reason));
+        throw io::OutputError("cannot write " + path.string() + ": " +
+                              std::generic_category().message(reason));
 }
 
 void flush_folder(const fs::path& folder) {
@@ -71,7 +72,7 @@ ScratchFolder::~ScratchFolder() {
 }
 
 Store::Store(fs::path root) : root_(std::move(root)) {
-    for (const char* kind : {"done", "failed", "tmp"}) make_output_folder(root_ / kind);
+    for (const char* kind : {"done", "failed", "tmp"}) io::make_output_folder(root_ / kind);
 }
 
 bool Store::is_done(const std::string& id, const std::string& key) const {
@@ -108,7 +109,7 @@ bool Store::move(const fs::path& from, const fs::path& to) const {
     if (error == std::errc::directory_not_empty || error == std::errc::file_exists ||
         error == std::errc::not_a_directory)
         return false;
-    throw OutputError("cannot make " + to.string() + ": " + error.message());
+    throw io::OutputError("cannot make " + to.string() + ": " + error.message());
 }
 
 /// Out of sight in one step, then gone.
@@ -118,7 +119,7 @@ void Store::discard(const fs::path& folder) const {
     std::error_code error;
     fs::rename(folder, aside.path() / "old", error);
     if (error && error != std::errc::no_such_file_or_directory)
-        throw OutputError("cannot remove " + folder.string() + ": " + error.message());
+        throw io::OutputError("cannot remove " + folder.string() + ": " + error.message());
 }
 
 void Store::remove_left_overs() const {

@@ -43,7 +43,7 @@ SweepPoint with(const SweepPoint& point, const std::string& key, const std::stri
 
 void check_values(const std::vector<SweepAxis>& axes) {
     for (const SweepAxis& axis : axes)
-        for (const std::string& value : axis.values) configuration("", {axis.key + '=' + value});
+        for (const std::string& value : axis.values) cli::configuration("", {axis.key + '=' + value});
 }
 
 fs::path folder_of(const fs::path& output, const SweepPoint& point) {

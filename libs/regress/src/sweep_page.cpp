@@ -92,10 +92,10 @@ std::string incomplete_box(const SweepResults& sweep) {
 std::string sweep_html(const SweepResults& sweep) {
     const Json data = {{"axes", axes_of(sweep)}, {"ids", ids_of(sweep)}, {"figures", figures_of(sweep)}};
     const std::string body =
-        html::paragraph(std::to_string(sweep.points.size()) + " combinations of " +
-                        std::to_string(sweep.axes.size()) + " parameters over " +
-                        std::to_string(sweep.runs.front().size()) +
-                        " rawlogs. Figures that are the same everywhere are left out.") +
+        report::html::paragraph(std::to_string(sweep.points.size()) + " combinations of " +
+                                std::to_string(sweep.axes.size()) + " parameters over " +
+                                std::to_string(sweep.runs.front().size()) +
+                                " rawlogs. Figures that are the same everywhere are left out.") +
         incomplete_box(sweep) +
         "<noscript><p class='bad'>This page needs JavaScript; sweep.csv holds the same.</p></noscript>\n"
         "<div id='choice'></div>\n<div id='heat'></div>\n<div id='curves'></div>\n<div id='ranking'></div>\n";

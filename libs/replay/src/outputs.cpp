@@ -6,7 +6,7 @@
 #include "flownav/mapping/export.h"
 #include "flownav/report/report.h"
 
-namespace flownav {
+namespace flownav::replay {
 
 namespace {
 
@@ -15,20 +15,21 @@ constexpr const char* ground_truth_name = "ground_truth.tum";
 
 /// The folder, ready for use: made, and without tracks that an earlier replay of another input left there.
 std::filesystem::path prepared(std::filesystem::path folder) {
-    make_output_folder(folder);
+    io::make_output_folder(folder);
     for (const char* name : {odometry_name, ground_truth_name}) {
         std::error_code error;
         std::filesystem::remove(folder / name, error);
-        if (error) throw OutputError("cannot replace " + (folder / name).string() + ": " + error.message());
+        if (error)
+            throw io::OutputError("cannot replace " + (folder / name).string() + ": " + error.message());
     }
     return folder;
 }
 
 void write_map(const mrpt::maps::COccupancyGridMap2D& grid, const std::filesystem::path& folder) {
     try {
-        export_map(grid, folder);
+        mapping::export_map(grid, folder);
     } catch (const std::exception& error) {
-        throw OutputError(error.what());
+        throw io::OutputError(error.what());
     }
 }
 
@@ -41,7 +42,7 @@ const std::vector<const char*>& output_names() {
     return names;
 }
 
-Outputs::Outputs(std::filesystem::path folder, const Config& config, const OptionalOutputs& optional)
+Outputs::Outputs(std::filesystem::path folder, const config::Config& config, const OptionalOutputs& optional)
     : folder_(prepared(std::move(folder))),
       config_(config),
       keep_images_(optional.keep_images),
@@ -72,7 +73,8 @@ void Outputs::write(const Field& field, const pipeline::Step& step) {
     if (video_) video_->write(field, step, map_.grid());
 }
 
-void Outputs::finish(Drive& drive, const Filmstrip& filmstrip, const Timing* timing) {
+void Outputs::finish(evaluation::Drive& drive, const report::ThumbnailStrip& thumbnail_strip,
+                     const evaluation::Timing* timing) {
     trajectory_.close();
     egomotion_.close();
     obstacles_.close();
@@ -83,23 +85,25 @@ void Outputs::finish(Drive& drive, const Filmstrip& filmstrip, const Timing* tim
     written_.odometry_poses = write_track(odometry_name, drive.odometry, drive);
     written_.ground_truth_poses = write_track(ground_truth_name, drive.ground_truth, drive);
     write_map(map_.grid(), folder_);
-    written_.map_cells = count_cells(map_.grid());
+    written_.map_cells = mapping::count_cells(map_.grid());
     drive.written = written_;
-    write_file(folder_ / "report.html", report_html(drive, filmstrip, map_.grid(), config_, timing));
+    io::write_file(folder_ / "report.html",
+                   report::report_html(drive, thumbnail_strip, map_.grid(), config_, timing));
 }
 
-void Outputs::write_summary(const Drive& drive, const Timing& timing) {
-    write_file(folder_ / "summary.json", summary_json(drive, config_, timing));
+void Outputs::write_summary(const evaluation::Drive& drive, const evaluation::Timing& timing) {
+    io::write_file(folder_ / "summary.json", evaluation::summary_json(drive, config_, timing));
 }
 
-std::uint64_t Outputs::write_track(const char* name, const PoseTrack& track, const Drive& drive) {
+std::uint64_t Outputs::write_track(const char* name, const evaluation::PoseTrack& track,
+                                   const evaluation::Drive& drive) {
     if (track.empty()) return 0;
     const double start_s = drive.rows.empty() ? -HUGE_VAL : drive.rows.front().timestamp_s;
     const auto poses = track.aligned(start_s);
-    TrajectoryFile file(folder_ / name);
-    for (const TimedPose& sample : poses) file.write(sample.timestamp_s, sample.pose);
+    evaluation::TrajectoryFile file(folder_ / name);
+    for (const evaluation::TimedPose& sample : poses) file.write(sample.timestamp_s, sample.pose);
     file.close();
     return poses.size();
 }
 
-}  // namespace flownav
+}  // namespace flownav::replay

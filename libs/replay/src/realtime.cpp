@@ -16,9 +16,9 @@
 #include "flownav/io/output_file.h"
 #include "flownav/mapping/local_map.h"
 #include "flownav/pipeline/pipeline.h"
-#include "flownav/replay/paced_run.h"
+#include "flownav/replay/realtime_replay.h"
 
-namespace flownav {
+namespace flownav::replay {
 
 namespace {
 
@@ -32,35 +32,36 @@ std::uint64_t bytes_of(const Field& field) {
            static_cast<std::uint64_t>(field.image.height_px);
 }
 
-void read_fields(RawlogReader& reader, const RealtimeOptions& options, Recording& recording) {
-    FieldSource source(reader, options.config.camera);
+void read_fields(io::RawlogReader& reader, const RealtimeOptions& options, Recording& recording) {
+    io::FieldSource source(reader, options.config.camera);
     std::uint64_t bytes = 0;
     while (auto event = source.next()) {
         auto* field = std::get_if<Field>(&*event);
         if (!field) continue;
         bytes += bytes_of(*field);
         if (bytes > options.memory_max_bytes) {
-            throw ConfigError(options.input.string() + ": its decoded fields need more than the " +
-                              std::to_string(options.memory_max_bytes / 1'000'000) +
-                              " MB that --realtime holds in memory; use a shorter recording");
+            throw config::ConfigError(options.input.string() + ": its decoded fields need more than the " +
+                                      std::to_string(options.memory_max_bytes / 1'000'000) +
+                                      " MB that --realtime holds in memory; use a shorter recording");
         }
         recording.fields.push_back(std::move(*field));
     }
     recording.problem = reader.end().message;
     if (recording.fields.size() >= 2 || !recording.problem.empty()) return;
-    if (recording.fields.size() == 1) throw ConfigError(options.input.string() + ": holds one field only");
-    throw ConfigError(
-        why_no_field(source.counts(), options.input.string(), options.config.camera.camera_label));
+    if (recording.fields.size() == 1)
+        throw config::ConfigError(options.input.string() + ": holds one field only");
+    throw config::ConfigError(
+        io::why_no_field(source.counts(), options.input.string(), options.config.camera.camera_label));
 }
 
 Recording read_recording(const RealtimeOptions& options) {
-    const std::string problem = problem_of_input(options.input);
-    if (!problem.empty()) throw ConfigError(problem);
+    const std::string problem = io::problem_of_input(options.input);
+    if (!problem.empty()) throw config::ConfigError(problem);
     Recording recording;
     try {
-        RawlogReader reader(options.input);
+        io::RawlogReader reader(options.input);
         read_fields(reader, options, recording);
-    } catch (const InputError& error) {
+    } catch (const io::InputError& error) {
         recording.problem = error.what();
     }
     return recording;
@@ -81,11 +82,11 @@ PaceClock steady_pace() {
 /// From a field to what the navigator reads.
 class Chain {
   public:
-    explicit Chain(const Config& config) : state_(make_state(config)), map_(config.map) {}
+    explicit Chain(const config::Config& config) : state_(config::make_state(config)), map_(config.map) {}
 
     void take(const Field& field) {
         const pipeline::Step& step = pipeline::step(state_, field);
-        if (step.obstacles.empty() && step.ground.empty()) {  // as the autopilot does it
+        if (step.obstacles.empty() && step.ground.empty()) {  // as the navigation stack does it
             map_.redraw(step.T_start_robot);
         } else {
             set_.timestamp_s = step.timestamp_s;
@@ -98,8 +99,8 @@ class Chain {
 
   private:
     pipeline::State state_;
-    ObstacleSet set_;  ///< its memory is used again and again
-    LocalMap map_;
+    mapping::ObstacleSet set_;  ///< its memory is used again and again
+    mapping::LocalMap map_;
 };
 
 PacedFields play(const std::vector<Field>& fields, const RealtimeOptions& options) {
@@ -114,7 +115,7 @@ PacedFields play(const std::vector<Field>& fields, const RealtimeOptions& option
         chain.take(field);
     };
     const std::uint64_t count = times.count_within(options.duration_s.value_or(times.once_s()));
-    return run_paced(times, count, steady_pace(), work);
+    return replay_paced(times, count, steady_pace(), work);
 }
 
 /// What the operating system gives this program, as chrt(1) calls it.
@@ -151,7 +152,7 @@ std::string to_json(const PacedFields& paced, const LatencyFigures& figures, con
 }
 
 std::string to_words(const PacedFields& paced, const LatencyFigures& figures) {
-    const auto text = [](double seconds) { return fixed_text(1000 * seconds, 3); };
+    const auto text = [](double seconds) { return cli::fixed_text(1000 * seconds, 3); };
     return std::to_string(paced.arrived) + " fields, " + std::to_string(paced.dropped) +
            " dropped; latency in ms: median " + text(figures.median_s) + ", 99 % " + text(figures.p99_s) +
            ", 99.9 % " + text(figures.p999_s) + ", worst " + text(figures.worst_s);
@@ -164,12 +165,12 @@ ReplayResult run(const RealtimeOptions& options) {
     if (!recording.problem.empty()) result.status = ExitStatus::Input;
     if (recording.fields.size() < 2) return result;
     if (recording.fields.back().timestamp_s <= recording.fields.front().timestamp_s)
-        throw ConfigError(options.input.string() + ": its fields do not follow each other in time");
-    if (!options.output.empty()) make_output_folder(options.output);
+        throw config::ConfigError(options.input.string() + ": its fields do not follow each other in time");
+    if (!options.output.empty()) io::make_output_folder(options.output);
     const PacedFields paced = play(recording.fields, options);
     const LatencyFigures figures = latency_figures(paced.latencies_s);
     if (!options.output.empty())
-        write_file(options.output / "realtime.json", to_json(paced, figures, options));
+        io::write_file(options.output / "realtime.json", to_json(paced, figures, options));
     result.outcome = to_words(paced, figures);
     return result;
 }
@@ -179,11 +180,11 @@ ReplayResult run(const RealtimeOptions& options) {
 ReplayResult replay_realtime(const RealtimeOptions& options) {
     try {
         return run(options);
-    } catch (const ConfigError& error) {
+    } catch (const config::ConfigError& error) {
         return {ExitStatus::Usage, error.what(), {}, ""};
-    } catch (const OutputError& error) {
+    } catch (const io::OutputError& error) {
         return {ExitStatus::Output, error.what(), {}, ""};
     }
 }
 
-}  // namespace flownav
+}  // namespace flownav::replay

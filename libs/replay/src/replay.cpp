@@ -8,13 +8,13 @@
 #include "flownav/cli/number_text.h"
 #include "flownav/config/make_state.h"
 #include "flownav/evaluation/drive.h"
-#include "flownav/evaluation/stage_clock.h"
+#include "flownav/evaluation/profiler.h"
 #include "flownav/io/decode_ahead.h"
 #include "flownav/io/input_path.h"
 #include "flownav/pipeline/pipeline.h"
 #include "flownav/replay/outputs.h"
 
-namespace flownav {
+namespace flownav::replay {
 
 namespace {
 
@@ -40,10 +40,11 @@ class Run {
   public:
     explicit Run(const ReplayOptions& options)
         : options_(options),
-          state_(options.config.pipeline, clock_.timed(make_matcher(matching(options.config.pipeline)))) {
+          state_(options.config.pipeline,
+                 clock_.timed(config::make_matcher(matching(options.config.pipeline)))) {
         timing_.threads = options.config.pipeline.threads;
-        filmstrip_ = Filmstrip(several_threads());
-        const bool own = options.config.pipeline.flow.matcher == MatcherKind::Sad;
+        thumbnail_strip_ = report::ThumbnailStrip(several_threads());
+        const bool own = options.config.pipeline.flow.matcher == flow::MatcherKind::Sad;
         timing_.kernel = own ? pipeline::kernel_name() : "opencv";
         drive_.input_name = options.input.filename().string();
     }
@@ -67,7 +68,7 @@ class Run {
     }
 
     void refuse_bad_paths() const {
-        const std::string problem = problem_of_input(options_.input);
+        const std::string problem = io::problem_of_input(options_.input);
         if (!problem.empty()) throw UsageError(problem);
         std::error_code error;
         const auto result = options_.output / "result.rawlog";
@@ -96,39 +97,40 @@ class Run {
 
     void read() {
         try {
-            RawlogReader reader(options_.input);
+            io::RawlogReader reader(options_.input);
             read_events(reader);
             drive_.end = reader.end();
-        } catch (const InputError& error) {
-            drive_.end.kind = ReadEnd::Kind::Corrupt;
+        } catch (const io::InputError& error) {
+            drive_.end.kind = io::ReadEnd::Kind::Corrupt;
             drive_.end.message = error.what();
         }
         // The results shall not depend on where the file lies.
         replace_all(drive_.end.message, options_.input.string(), drive_.input_name);
-        if (!outputs_ && drive_.end.kind == ReadEnd::Kind::Clean) {
+        if (!outputs_ && drive_.end.kind == io::ReadEnd::Kind::Clean) {
             throw UsageError(
-                why_no_field(drive_.read, options_.input.string(), options_.config.camera.camera_label));
+                io::why_no_field(drive_.read, options_.input.string(), options_.config.camera.camera_label));
         }
     }
 
-    void read_events(RawlogReader& reader) {
-        FieldSource source(reader, options_.config.camera);
-        std::optional<DecodeAhead> ahead;
+    void read_events(io::RawlogReader& reader) {
+        io::FieldSource source(reader, options_.config.camera);
+        std::optional<io::DecodeAhead> ahead;
         if (several_threads()) start(ahead, source, reader);
-        Progress progress(stdout, options_.progress);
+        cli::Progress progress(stdout, options_.progress);
         for (;;) {
-            const Decoded decoded = ahead ? next([&] { return ahead->next(); })
-                                          : next([&] { return decode_next(source, reader); });
+            const io::Decoded decoded = ahead ? next([&] { return ahead->next(); })
+                                              : next([&] { return io::decode_next(source, reader); });
             if (!decoded.event) break;
             if (const auto* field = std::get_if<Field>(&*decoded.event)) take(*field);
-            if (const auto* sample = std::get_if<PoseSample>(&*decoded.event)) take(*sample);
+            if (const auto* sample = std::get_if<io::PoseSample>(&*decoded.event)) take(*sample);
             progress.update(decoded.progress, drive_.rows.size());
         }
         progress.finish(drive_.rows.size());
         drive_.read = source.counts();
     }
 
-    static void start(std::optional<DecodeAhead>& ahead, FieldSource& source, const RawlogReader& reader) {
+    static void start(std::optional<io::DecodeAhead>& ahead, io::FieldSource& source,
+                      const io::RawlogReader& reader) {
         try {
             ahead.emplace(source, reader);
         } catch (const std::system_error&) {
@@ -137,13 +139,13 @@ class Run {
     }
 
     template <typename Decode>
-    Decoded next(const Decode& decode) {
-        clock_.enter(StageClock::other);  // waiting for the other thread is nobody's work
+    io::Decoded next(const Decode& decode) {
+        clock_.enter(evaluation::Profiler::other);  // waiting for the other thread is nobody's work
         try {
-            Decoded decoded = decode();
-            clock_.credit(&StageTimes::decode_s, decoded.decode_s);
+            io::Decoded decoded = decode();
+            clock_.credit(&evaluation::StageTimes::decode_s, decoded.decode_s);
             return decoded;
-        } catch (const ConfigError& error) {
+        } catch (const config::ConfigError& error) {
             if (!outputs_) throw;  // nothing has been written yet
             drive_.stop_reason = error.what();
             return {};
@@ -152,21 +154,21 @@ class Run {
 
     void take(const Field& field) {
         open_outputs();
-        clock_.enter(&StageTimes::motion_s);
+        clock_.enter(&evaluation::StageTimes::motion_s);
         const pipeline::Step& step = pipeline::step(state_, field);
-        clock_.enter(StageClock::other);
-        drive_.rows.push_back(row_of(step));
+        clock_.enter(evaluation::Profiler::other);
+        drive_.rows.push_back(evaluation::row_of(step));
         checker_.take(field, step);
-        clock_.enter(&StageTimes::map_s);
+        clock_.enter(&evaluation::StageTimes::map_s);
         outputs_->map(step);
-        clock_.enter(&StageTimes::write_s);
-        filmstrip_.offer(field, step);
+        clock_.enter(&evaluation::StageTimes::write_s);
+        thumbnail_strip_.offer(field, step);
         outputs_->write(field, step);
         clock_.end_field(field.timestamp_s);
     }
 
-    void take(const PoseSample& sample) {
-        const bool truth = sample.source == PoseSample::Source::GroundTruth;
+    void take(const io::PoseSample& sample) {
+        const bool truth = sample.source == io::PoseSample::Source::GroundTruth;
         (truth ? drive_.ground_truth : drive_.odometry).add(sample.timestamp_s, sample.pose);
         if (truth) return;
         if (outputs_) {
@@ -179,38 +181,40 @@ class Run {
     /// Not before there is a field that can be used, so that bad configuration writes nothing.
     void open_outputs() {
         if (outputs_) return;
-        clock_.enter(&StageTimes::write_s);
+        clock_.enter(&evaluation::StageTimes::write_s);
         outputs_.emplace(options_.output, options_.config, options_.optional);
-        for (const PoseSample& sample : early_odometry_) outputs_->write_odometry(sample);
+        for (const io::PoseSample& sample : early_odometry_) outputs_->write_odometry(sample);
         early_odometry_.clear();
     }
 
     void finish() {
         open_outputs();
-        clock_.enter(&StageTimes::write_s);
-        filmstrip_.finish();
+        clock_.enter(&evaluation::StageTimes::write_s);
+        thumbnail_strip_.finish();
         drive_.odometry.finish();
         drive_.ground_truth.finish();
-        if (!drive_.odometry.empty()) drive_.odometry_errors = compare(drive_.rows, drive_.odometry);
+        if (!drive_.odometry.empty())
+            drive_.odometry_errors = evaluation::compare(drive_.rows, drive_.odometry);
         if (!drive_.ground_truth.empty())
-            drive_.ground_truth_errors = compare(drive_.rows, drive_.ground_truth);
+            drive_.ground_truth_errors = evaluation::compare(drive_.rows, drive_.ground_truth);
         drive_.camera_check = checker_.result(drive_.odometry);
         drive_.field_faults = state_.last_step().faults;
         add_warnings();
         clock_.report(timing_);
-        outputs_->finish(drive_, filmstrip_, options_.timing_in_report ? &timing_ : nullptr);
+        outputs_->finish(drive_, thumbnail_strip_, options_.timing_in_report ? &timing_ : nullptr);
     }
 
     ExitStatus status() const {
-        const bool whole = drive_.end.kind == ReadEnd::Kind::Clean && drive_.stop_reason.empty();
+        const bool whole = drive_.end.kind == io::ReadEnd::Kind::Clean && drive_.stop_reason.empty();
         return whole ? ExitStatus::Fine : ExitStatus::Input;
     }
 
     void add_warnings() {
-        const DriveMap& map = outputs_->drive_map();
+        const mapping::GlobalMap& map = outputs_->global_map();
         for (const std::string& warning :
-             {carried_warning(carried_time(drive_.rows), options_.config.pipeline.rate.carry_max_s),
-              map_warning(map.sets(), map.sets_outside(), map.half_m())}) {
+             {evaluation::carried_warning(evaluation::carried_time(drive_.rows),
+                                          options_.config.pipeline.rate.carry_max_s),
+              evaluation::map_warning(map.sets(), map.sets_outside(), map.half_m())}) {
             if (!warning.empty()) drive_.warnings.push_back(warning);
         }
     }
@@ -223,11 +227,11 @@ class Run {
 
     std::string message() const {
         if (status() == ExitStatus::Fine) return "";
-        return end_sentence(drive_);
+        return evaluation::end_sentence(drive_);
     }
 
     std::string outcome() const {
-        const std::uint64_t ok = status_counts(drive_.rows).front();
+        const std::uint64_t ok = evaluation::status_counts(drive_.rows).front();
         return std::to_string(drive_.rows.size()) + (drive_.rows.size() == 1 ? " field (" : " fields (") +
                std::to_string(ok) + " ok), " + std::to_string(drive_.written.cycles) + " cycles, " +
                std::to_string(drive_.written.obstacle_points) + " obstacle points; see " +
@@ -235,13 +239,13 @@ class Run {
     }
 
     const ReplayOptions& options_;
-    StageClock clock_;
+    evaluation::Profiler clock_;
     pipeline::State state_;
-    CameraChecker checker_{options_.config.pipeline.motion.geometry};
-    Drive drive_;
-    Filmstrip filmstrip_;
-    Timing timing_;
-    std::vector<PoseSample> early_odometry_;
+    evaluation::CameraChecker checker_{options_.config.pipeline.motion.geometry};
+    evaluation::Drive drive_;
+    report::ThumbnailStrip thumbnail_strip_;
+    evaluation::Timing timing_;
+    std::vector<io::PoseSample> early_odometry_;
     std::optional<Outputs> outputs_;
 };
 
@@ -252,11 +256,11 @@ ReplayResult replay(const ReplayOptions& options) {
         return Run(options).result();
     } catch (const UsageError& error) {
         return {ExitStatus::Usage, error.what(), {}, ""};
-    } catch (const ConfigError& error) {
+    } catch (const config::ConfigError& error) {
         return {ExitStatus::Usage, error.what(), {}, ""};
-    } catch (const OutputError& error) {
+    } catch (const io::OutputError& error) {
         return {ExitStatus::Output, error.what(), {}, ""};
     }
 }
 
-}  // namespace flownav
+}  // namespace flownav::replay

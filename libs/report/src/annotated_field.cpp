@@ -8,7 +8,7 @@
 #include "flownav/cli/number_text.h"
 #include "flownav/report/field_drawing.h"
 
-namespace flownav {
+namespace flownav::report {
 
 namespace {
 
@@ -27,19 +27,19 @@ FieldScale picture_scale(const Field& field) {
     return {zoom, zoom * pixel_aspect(field)};
 }
 
-int count_of(const pipeline::Step& step, BlockFate fate) {
+int count_of(const pipeline::Step& step, BlockLabel label) {
     return static_cast<int>(std::count_if(step.blocks.begin(), step.blocks.end(),
-                                          [fate](const auto& block) { return is_drawn(block, fate); }));
+                                          [label](const auto& block) { return is_drawn(block, label); }));
 }
 
 std::string state_text(const pipeline::Step& step) {
     std::string text = std::string("status ") + to_string(step.status);
     if (step.status == FieldStatus::Ok) {
-        text += "    turn " + fixed_text(step.omega_radps * 180.0 / M_PI, 1) + " deg/s";
+        text += "    turn " + cli::fixed_text(step.omega_radps * 180.0 / M_PI, 1) + " deg/s";
     }
     if (step.status != FieldStatus::Waiting) {
-        text +=
-            "    speed " + fixed_text(step.v_mps, 2) + " m/s" + (step.v_measured ? "" : " (carried over)");
+        text += "    speed " + cli::fixed_text(step.v_mps, 2) + " m/s" +
+                (step.v_measured ? "" : " (carried over)");
     }
     return text + "    image " + std::to_string(step.image_of_cycle) + " of " +
            std::to_string(step.cycle_images);
@@ -78,8 +78,8 @@ class Caption {
 
 cv::Mat marked_field(const Field& field, const pipeline::Step& step, const FieldScale& scale) {
     cv::Mat picture = scaled_field(field, scale);
-    for (const FateStyle& style : fate_styles()) tint_blocks(picture, step, scale, style);
-    for (const FateStyle& style : fate_styles()) draw_vectors(picture, step, scale, style);
+    for (const LabelStyle& style : label_styles()) tint_blocks(picture, step, scale, style);
+    for (const LabelStyle& style : label_styles()) draw_vectors(picture, step, scale, style);
     return picture;
 }
 
@@ -88,8 +88,8 @@ cv::Mat annotated_field(const Field& field, const pipeline::Step& step) {
     Caption caption(picture.cols);
     caption.add(state_text(step));
     caption.new_line();
-    for (auto style = fate_styles().rbegin(); style != fate_styles().rend(); ++style) {
-        caption.add(std::string(style->label) + ' ' + std::to_string(count_of(step, style->fate)),
+    for (auto style = label_styles().rbegin(); style != label_styles().rend(); ++style) {
+        caption.add(std::string(style->name) + ' ' + std::to_string(count_of(step, style->label)),
                     &style->colour);
     }
     cv::Mat result;
@@ -97,4 +97,4 @@ cv::Mat annotated_field(const Field& field, const pipeline::Step& step) {
     return result;
 }
 
-}  // namespace flownav
+}  // namespace flownav::report

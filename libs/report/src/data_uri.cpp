@@ -4,7 +4,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-namespace flownav {
+namespace flownav::report {
 
 std::string data_uri(const std::string& type, const std::vector<std::uint8_t>& bytes) {
     std::string text;
@@ -21,4 +21,4 @@ std::string png_uri(const cv::Mat& picture) {
     return data_uri("image/png", bytes);
 }
 
-}  // namespace flownav
+}  // namespace flownav::report

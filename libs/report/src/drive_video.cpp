@@ -8,7 +8,7 @@
 #include "flownav/cli/number_text.h"
 #include "flownav/report/annotated_field.h"
 
-namespace flownav {
+namespace flownav::report {
 
 namespace {
 
@@ -86,8 +86,8 @@ void DriveVideo::write(const Field& field, const pipeline::Step& step,
     const cv::Mat annotated = annotated_field(field, step);
     if (first) canvas_px_ = canvas_size(annotated);
     const cv::Mat window = map_window(map, scene_, map_size_m_, canvas_px_.height - band_px);
-    const std::string text =
-        "time " + fixed_text(now_s - start_s_, 2) + " s    driven " + fixed_text(driven_m_, 2) + " m";
+    const std::string text = "time " + cli::fixed_text(now_s - start_s_, 2) + " s    driven " +
+                             cli::fixed_text(driven_m_, 2) + " m";
     cv::resize(composed(canvas_px_, annotated, window, text), picture_, video_size(canvas_px_), 0, 0,
                cv::INTER_AREA);
     put();
@@ -98,4 +98,4 @@ void DriveVideo::put() {
     due_s_ += period_s;
 }
 
-}  // namespace flownav
+}  // namespace flownav::report

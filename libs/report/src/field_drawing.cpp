@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-namespace flownav {
+namespace flownav::report {
 
 namespace {
 
@@ -42,17 +42,17 @@ cv::Mat scaled_field(const Field& field, const FieldScale& scale) {
     return picture;
 }
 
-bool is_drawn(const pipeline::BlockRecord& block, BlockFate fate) {
-    return block.fate == fate && (block.vector.valid || fate == BlockFate::Sifted);
+bool is_drawn(const pipeline::BlockRecord& block, BlockLabel label) {
+    return block.label == label && (block.vector.valid || label == BlockLabel::Sifted);
 }
 
 void tint_blocks(cv::Mat& picture, const pipeline::Step& step, const FieldScale& scale,
-                 const FateStyle& style) {
+                 const LabelStyle& style) {
     const Eigen::Vector2d half(block_px / 2.0, block_px / 2.0);
-    const bool strong = style.fate == BlockFate::Obstacle || style.fate == BlockFate::Moving ||
-                        style.fate == BlockFate::Unsupported;
+    const bool strong = style.label == BlockLabel::Obstacle || style.label == BlockLabel::Moving ||
+                        style.label == BlockLabel::Unsupported;
     for (const auto& block : step.blocks) {
-        if (!is_drawn(block, style.fate) || style.fate == BlockFate::Sifted) continue;
+        if (!is_drawn(block, style.label) || style.label == BlockLabel::Sifted) continue;
         const Eigen::Vector2d now = block.vector.at_px + block.vector.flow_px;
         const cv::Rect area =
             cv::Rect(scale.at(now - half), scale.at(now + half)) & cv::Rect({0, 0}, picture.size());
@@ -65,11 +65,11 @@ void tint_blocks(cv::Mat& picture, const pipeline::Step& step, const FieldScale&
 }
 
 void draw_vectors(cv::Mat& picture, const pipeline::Step& step, const FieldScale& scale,
-                  const FateStyle& style) {
+                  const LabelStyle& style) {
     for (const auto& block : step.blocks) {
-        if (!is_drawn(block, style.fate)) continue;
+        if (!is_drawn(block, style.label)) continue;
         const cv::Point from = scale.at(block.vector.at_px);
-        if (style.fate == BlockFate::Sifted) {
+        if (style.label == BlockLabel::Sifted) {
             cv::circle(picture, from, 2, style.colour, cv::FILLED, cv::LINE_AA);
             continue;
         }
@@ -78,4 +78,4 @@ void draw_vectors(cv::Mat& picture, const pipeline::Step& step, const FieldScale
     }
 }
 
-}  // namespace flownav
+}  // namespace flownav::report

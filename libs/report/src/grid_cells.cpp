@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace flownav {
+namespace flownav::report {
 
 cv::Mat grid_cells(const mrpt::maps::COccupancyGridMap2D& grid, const cv::Rect& part) {
     cv::Mat picture(part.size(), CV_8UC1);
@@ -15,4 +15,4 @@ cv::Mat grid_cells(const mrpt::maps::COccupancyGridMap2D& grid, const cv::Rect& 
     return picture;
 }
 
-}  // namespace flownav
+}  // namespace flownav::report

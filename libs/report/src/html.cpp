@@ -1,6 +1,6 @@
 #include "flownav/report/html.h"
 
-namespace flownav::html {
+namespace flownav::report::html {
 
 namespace {
 
@@ -72,4 +72,4 @@ std::string table(const std::vector<Cell>& head, const std::string& rows) {
            rows + "</tbody></table></div>\n";
 }
 
-}  // namespace flownav::html
+}  // namespace flownav::report::html

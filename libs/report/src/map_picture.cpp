@@ -7,7 +7,7 @@
 #include "flownav/mapping/grid_area.h"
 #include "grid_cells.h"
 
-namespace flownav {
+namespace flownav::report {
 
 namespace {
 
@@ -29,10 +29,10 @@ cv::Rect known_part(const Grid& grid) {
     return known;
 }
 
-cv::Rect path_part(const Grid& grid, const std::vector<FieldRow>& rows) {
-    const GridArea area = area_of(grid);
+cv::Rect path_part(const Grid& grid, const std::vector<evaluation::FieldRow>& rows) {
+    const GridArea area = mapping::area_of(grid);
     cv::Rect part;
-    for (const FieldRow& row : rows) {
+    for (const evaluation::FieldRow& row : rows) {
         const Pose2& pose = row.T_start_robot;
         const Eigen::Vector2i cell = area.cell_of({pose.x_m, pose.y_m});
         part |= cv::Rect(cell.x(), cell.y(), 1, 1);
@@ -42,7 +42,7 @@ cv::Rect path_part(const Grid& grid, const std::vector<FieldRow>& rows) {
 
 }  // namespace
 
-MapPicture map_picture(const Grid& grid, const std::vector<FieldRow>& rows) {
+MapPicture map_picture(const Grid& grid, const std::vector<evaluation::FieldRow>& rows) {
     MapPicture picture;
     cv::Rect part = known_part(grid);
     if (part.empty()) return picture;
@@ -59,4 +59,4 @@ MapPicture map_picture(const Grid& grid, const std::vector<FieldRow>& rows) {
     return picture;
 }
 
-}  // namespace flownav
+}  // namespace flownav::report

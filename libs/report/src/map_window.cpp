@@ -8,7 +8,7 @@
 #include "flownav/mapping/grid_area.h"
 #include "grid_cells.h"
 
-namespace flownav {
+namespace flownav::report {
 
 namespace {
 
@@ -42,7 +42,7 @@ struct Projection {
 
 cv::Mat background(const Grid& grid, const Projection& projection, double size_m, int size_px) {
     const Eigen::Vector2d corner_m = projection.centre_m.array() - size_m / 2.0;
-    const GridArea area = area_of(grid);
+    const GridArea area = mapping::area_of(grid);
     const double cell_m = area.cell_m;
     const int side = static_cast<int>(std::ceil(size_m / cell_m)) + 2;
     const Eigen::Vector2i corner = area.cell_of(corner_m);
@@ -104,7 +104,7 @@ double bar_length_m(double width_m) {
 void draw_scale(cv::Mat& picture, double px_per_m) {
     const double length_m = bar_length_m(picture.cols / px_per_m);
     const int length_px = cvRound(length_m * px_per_m);
-    const std::string text = fixed_text(length_m, length_m < 1 ? 1 : 0) + " m";
+    const std::string text = cli::fixed_text(length_m, length_m < 1 ? 1 : 0) + " m";
     const int bottom = picture.rows - 16;
     const int text_px = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, 0.5, 1, nullptr).width;
     cv::rectangle(picture, {8, bottom - 10, length_px + text_px + 26, 20}, rim, cv::FILLED);
@@ -126,4 +126,4 @@ cv::Mat map_window(const Grid& grid, const MapWindowScene& scene, double size_m,
     return picture;
 }
 
-}  // namespace flownav
+}  // namespace flownav::report

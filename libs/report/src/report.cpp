@@ -6,14 +6,14 @@
 #include "flownav/cli/number_text.h"
 #include "flownav/core/version.h"
 #include "flownav/report/data_uri.h"
-#include "flownav/report/fate_style.h"
 #include "flownav/report/html.h"
+#include "flownav/report/label_style.h"
 #include "flownav/report/page_assets.h"
 #include "report_data.h"
 #include "report_series.h"
 #include "report_tables.h"
 
-namespace flownav {
+namespace flownav::report {
 
 namespace {
 
@@ -28,19 +28,19 @@ std::string box(bool good, const std::string& text) {
     return std::string("<p class='") + (good ? "good" : "bad") + "'>" + html::escaped(text) + "</p>\n";
 }
 
-std::string short_facts(const Drive& drive) {
+std::string short_facts(const evaluation::Drive& drive) {
     if (drive.rows.empty()) return html::paragraph("No field could be used, so there is nothing to show.");
     const double duration_s = drive.rows.back().timestamp_s - drive.rows.front().timestamp_s;
-    const std::uint64_t ok = status_counts(drive.rows).front();
+    const std::uint64_t ok = evaluation::status_counts(drive.rows).front();
     const double ok_percent = 100.0 * static_cast<double>(ok) / static_cast<double>(drive.rows.size());
-    const auto cycles = [&drive](bool FieldRow::*member) {
+    const auto cycles = [&drive](bool evaluation::FieldRow::*member) {
         return std::count_if(drive.rows.begin(), drive.rows.end(), std::mem_fn(member));
     };
-    const auto finished = cycles(&FieldRow::end_of_cycle);
-    const auto with_speed = cycles(&FieldRow::v_measured);
+    const auto finished = cycles(&evaluation::FieldRow::end_of_cycle);
+    const auto with_speed = cycles(&evaluation::FieldRow::v_measured);
     std::string html = html::paragraph(
-        std::to_string(drive.rows.size()) + " fields over " + fixed_text(duration_s, 2) +
-        " s; the turn rate was measured in " + fixed_text(ok_percent, 1) + " % of them, the speed in " +
+        std::to_string(drive.rows.size()) + " fields over " + cli::fixed_text(duration_s, 2) +
+        " s; the turn rate was measured in " + cli::fixed_text(ok_percent, 1) + " % of them, the speed in " +
         std::to_string(with_speed) + " of " + std::to_string(finished) + " finished cycles, which gave " +
         std::to_string(drive.written.obstacle_points) + " obstacle points.");
     if (ok_percent < 50.0) html += box(false, mostly_without_motion);
@@ -48,7 +48,7 @@ std::string short_facts(const Drive& drive) {
     return html;
 }
 
-std::string beginning(const Drive& drive) {
+std::string beginning(const evaluation::Drive& drive) {
     const std::string title = html::escaped("Replay of " + drive.input_name);
     std::string html =
         "<!DOCTYPE html>\n<html lang='en'>\n<head>\n<meta charset='utf-8'>\n"
@@ -56,17 +56,17 @@ std::string beginning(const Drive& drive) {
         "<link rel='icon' href='data:,'>\n<title>" +
         title + "</title>\n<style>\n" + dygraphs_style + report_style + "</style>\n</head>\n<body>\n<h1>" +
         title + "</h1>\n";
-    html += box(std::string(end_word(drive)) == "clean", end_sentence(drive));
+    html += box(std::string(evaluation::end_word(drive)) == "clean", evaluation::end_sentence(drive));
     for (const std::string& warning : drive.warnings) html += box(false, warning);
     for (const std::string& warning : drive.camera_check.warnings) html += box(false, warning);
     return html + short_facts(drive);
 }
 
 /// The pictures, which the script makes to follow the cursor.
-std::string strip(const Filmstrip& filmstrip, double start_s) {
+std::string strip(const ThumbnailStrip& thumbnail_strip, double start_s) {
     std::string html = "<div id='strip' tabindex='0'>\n";
-    for (const Filmstrip::Picture& picture : filmstrip.pictures()) {
-        const std::string time_s = fixed_text(picture.timestamp_s - start_s, 2);
+    for (const ThumbnailStrip::Picture& picture : thumbnail_strip.pictures()) {
+        const std::string time_s = cli::fixed_text(picture.timestamp_s - start_s, 2);
         html += "<figure><img alt='annotated field at ";
         html += time_s;
         html += " s' src='";
@@ -78,41 +78,41 @@ std::string strip(const Filmstrip& filmstrip, double start_s) {
     return html + "</div>\n";
 }
 
-const char* meaning_of(BlockFate fate) {
-    switch (fate) {
-        case BlockFate::Unplaced:
+const char* meaning_of(BlockLabel label) {
+    switch (label) {
+        case BlockLabel::Unplaced:
             return "";
-        case BlockFate::Sifted:
+        case BlockLabel::Sifted:
             return "the match is ambiguous: left out";
-        case BlockFate::Eliminated:
+        case BlockLabel::Eliminated:
             return "does not point away from where the robot drives to: left out";
-        case BlockFate::Ground:
+        case BlockLabel::Ground:
             return "moves like the floor";
-        case BlockFate::Obstacle:
+        case BlockLabel::Obstacle:
             return "nearer than the floor behind it, and a neighbour agrees";
-        case BlockFate::Moving:
+        case BlockLabel::Moving:
             return "belongs to something that moves by itself";
-        case BlockFate::Unsupported:
+        case BlockLabel::Unsupported:
             return "looks like an obstacle, but no neighbour agrees: left out";
-        case BlockFate::Unjudged:
+        case BlockLabel::Unjudged:
             return "fits the motion, but too far or too vague to be told from floor";
     }
     return "";
 }
 
-std::string fates_legend() {
+std::string labels_legend() {
     std::string rows;
-    for (auto style = fate_styles().rbegin(); style != fate_styles().rend(); ++style) {
-        html::Cell name(style->label);
+    for (auto style = label_styles().rbegin(); style != label_styles().rend(); ++style) {
+        html::Cell name(style->name);
         name.mark = css_colour(*style);
-        rows += html::row({name, {"", true}, {meaning_of(style->fate)}}, std::string("fate.") + style->label);
+        rows += html::row({name, {"", true}, {meaning_of(style->label)}}, std::string("fate.") + style->name);
     }
     return html::table({{"block"}, {"here", true}, {"meaning"}}, rows);
 }
 
-std::string panel(const Filmstrip& filmstrip, double start_s) {
+std::string panel(const ThumbnailStrip& thumbnail_strip, double start_s) {
     return "<aside id='panel'>\n<div id='follow'><p id='readout'></p>\n<img id='large' alt=''></div>\n" +
-           strip(filmstrip, start_s) + fates_legend() +
+           strip(thumbnail_strip, start_s) + labels_legend() +
            "<p class='help'>Arrows are the vectors of the running cycle, from its first field to this one; "
            "they "
            "end where the block is now. Fields of half the lines are shown at their true height.</p>\n"
@@ -124,7 +124,7 @@ std::string panel(const Filmstrip& filmstrip, double start_s) {
 }
 
 /// Places that the script fills.
-std::string curves(const Drive& drive) {
+std::string curves(const evaluation::Drive& drive) {
     std::string html =
         "<div id='curves'>\n<section>\n<h2>Way and map</h2>\n"
         "<figure class='plan'><canvas id='way'></canvas><figcaption>The way seen from above. Circle: "
@@ -144,25 +144,25 @@ std::string curves(const Drive& drive) {
 
 }  // namespace
 
-std::string report_html(const Drive& drive, const Filmstrip& filmstrip,
-                        const mrpt::maps::COccupancyGridMap2D& map, const Config& config,
-                        const Timing* timing) {
+std::string report_html(const evaluation::Drive& drive, const ThumbnailStrip& thumbnail_strip,
+                        const mrpt::maps::COccupancyGridMap2D& map, const config::Config& config,
+                        const evaluation::Timing* timing) {
     std::string html = beginning(drive);
     if (!drive.rows.empty()) {
         html +=
             "<noscript><p class='bad'>The charts need JavaScript, which is switched off here; pictures and "
             "tables show without.</p></noscript>\n<main>\n" +
-            curves(drive) + panel(filmstrip, drive.rows.front().timestamp_s) + "</main>\n";
+            curves(drive) + panel(thumbnail_strip, drive.rows.front().timestamp_s) + "</main>\n";
     }
     html += report_tables(drive, config);
     html += "<footer>flownav-replay " + html::escaped(version()) +
             ". Every file and figure: share/doc/outputs.md of flownav.</footer>\n";
     if (!drive.rows.empty()) {
-        html += "<script type='application/json' id='data'>" + report_data(drive, filmstrip, map, timing) +
-                "</script>\n<script>" + dygraphs_script + "</script>\n<script>" + report_script +
-                "</script>\n";
+        html += "<script type='application/json' id='data'>" +
+                report_data(drive, thumbnail_strip, map, timing) + "</script>\n<script>" + dygraphs_script +
+                "</script>\n<script>" + report_script + "</script>\n";
     }
     return html + "</body>\n</html>\n";
 }
 
-}  // namespace flownav
+}  // namespace flownav::report

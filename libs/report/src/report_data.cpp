@@ -6,12 +6,12 @@
 
 #include "flownav/evaluation/summary_facts.h"
 #include "flownav/report/data_uri.h"
-#include "flownav/report/fate_style.h"
 #include "flownav/report/html.h"
+#include "flownav/report/label_style.h"
 #include "flownav/report/map_picture.h"
 #include "report_series.h"
 
-namespace flownav {
+namespace flownav::report {
 
 namespace {
 
@@ -58,7 +58,7 @@ Json chart_json(const ReportChart& chart) {
             {"series", std::move(series)}};
 }
 
-Json charts_json(const Drive& drive) {
+Json charts_json(const evaluation::Drive& drive) {
     Json charts = Json::array();
     for (ReportChart& chart : report_charts(drive))
         charts.push_back(chart_json(thinned(std::move(chart), most_times)));
@@ -66,7 +66,7 @@ Json charts_json(const Drive& drive) {
 }
 
 /// The ways seen from above; every k-th pose, and the last.
-Json tracks_json(const Drive& drive) {
+Json tracks_json(const evaluation::Drive& drive) {
     const std::size_t fields = drive.rows.size();
     const std::size_t step = fields / most_times + 1;
     std::vector<std::size_t> chosen;
@@ -109,7 +109,7 @@ std::size_t index_of(FieldStatus status) {
 }
 
 /// [from, to, index of the status] of every stretch of the same status; a field lasts until the next.
-Json status_runs(const std::vector<FieldRow>& rows) {
+Json status_runs(const std::vector<evaluation::FieldRow>& rows) {
     Json runs = Json::array();
     const std::size_t step = rows.size() / most_times + 1;
     std::optional<FieldStatus> running;
@@ -130,14 +130,14 @@ Json status_runs(const std::vector<FieldRow>& rows) {
     return runs;
 }
 
-Json status_json(const std::vector<FieldRow>& rows) {
+Json status_json(const std::vector<evaluation::FieldRow>& rows) {
     Json kinds = Json::array();
     for (const FieldStatus status : all_field_statuses)
         kinds.push_back({{"name", to_string(status)}, {"colour", colour_of(status)}});
     return {{"kinds", std::move(kinds)}, {"runs", status_runs(rows)}};
 }
 
-Json map_json(const Drive& drive, const mrpt::maps::COccupancyGridMap2D& map) {
+Json map_json(const evaluation::Drive& drive, const mrpt::maps::COccupancyGridMap2D& map) {
     const MapPicture picture = map_picture(map, drive.rows);
     if (picture.cells.empty()) return nullptr;
     return {{"png", png_uri(picture.cells)},     {"x", rounded(picture.left_m, 4)},
@@ -146,17 +146,17 @@ Json map_json(const Drive& drive, const mrpt::maps::COccupancyGridMap2D& map) {
 }
 
 /// The pictures themselves stand in the page.
-Json pictures_json(const Filmstrip& filmstrip, double start_s) {
+Json pictures_json(const ThumbnailStrip& thumbnail_strip, double start_s) {
     Json pictures = Json::array();
-    for (const Filmstrip::Picture& picture : filmstrip.pictures()) {
+    for (const ThumbnailStrip::Picture& picture : thumbnail_strip.pictures()) {
         Json points = Json::array();
         for (const Eigen::Vector2d& point : picture.points_m)
             points.push_back({rounded(point.x(), 2), rounded(point.y(), 2)});
-        Json fates = Json::array();
-        for (const FateStyle& style : fate_styles())
-            fates.push_back(picture.fates.at(static_cast<std::size_t>(style.fate)));
+        Json labels = Json::array();
+        for (const LabelStyle& style : label_styles())
+            labels.push_back(picture.labels.at(static_cast<std::size_t>(style.label)));
         pictures.push_back({{"t", rounded(picture.timestamp_s - start_s, 3)},
-                            {"fates", std::move(fates)},
+                            {"fates", std::move(labels)},
                             {"points", std::move(points)}});
     }
     return pictures;
@@ -164,17 +164,17 @@ Json pictures_json(const Filmstrip& filmstrip, double start_s) {
 
 }  // namespace
 
-std::string report_data(const Drive& drive, const Filmstrip& filmstrip,
-                        const mrpt::maps::COccupancyGridMap2D& map, const Timing* timing) {
+std::string report_data(const evaluation::Drive& drive, const ThumbnailStrip& thumbnail_strip,
+                        const mrpt::maps::COccupancyGridMap2D& map, const evaluation::Timing* timing) {
     Json data;
     data["input"] = drive.input_name;
     data["charts"] = charts_json(drive);
     data["status"] = status_json(drive.rows);
     data["tracks"] = tracks_json(drive);
     data["map"] = map_json(drive, map);
-    data["pictures"] = pictures_json(filmstrip, drive.rows.front().timestamp_s);
-    data["timing"] = timing == nullptr ? Json(nullptr) : timing_facts(*timing);
+    data["pictures"] = pictures_json(thumbnail_strip, drive.rows.front().timestamp_s);
+    data["timing"] = timing == nullptr ? Json(nullptr) : evaluation::timing_facts(*timing);
     return html::inside_script(data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
-}  // namespace flownav
+}  // namespace flownav::report

@@ -5,13 +5,13 @@
 #include <optional>
 #include <utility>
 
-#include "flownav/report/fate_style.h"
+#include "flownav/report/label_style.h"
 
-namespace flownav {
+namespace flownav::report {
 
 namespace {
 
-using Value = std::function<std::optional<double>(const FieldRow&)>;
+using Value = std::function<std::optional<double>(const evaluation::FieldRow&)>;
 
 // The palette of Okabe and Ito.
 const ReportSeries flow_look = {"flow", "#0072b2", false, 2.0, false, {}};
@@ -22,13 +22,14 @@ double to_deg(double angle_rad) {
     return angle_rad * 180.0 / M_PI;
 }
 
-ReportSeries series_of(ReportSeries look, const Drive& drive, const Value& value) {
+ReportSeries series_of(ReportSeries look, const evaluation::Drive& drive, const Value& value) {
     look.values.reserve(drive.rows.size());
-    for (const FieldRow& row : drive.rows) look.values.push_back(value(row).value_or(ReportSeries::gap));
+    for (const evaluation::FieldRow& row : drive.rows)
+        look.values.push_back(value(row).value_or(ReportSeries::gap));
     return look;
 }
 
-ReportChart chart_of(const Drive& drive, const char* id, const char* title, const char* quantity,
+ReportChart chart_of(const evaluation::Drive& drive, const char* id, const char* title, const char* quantity,
                      const char* unit, const char* note) {
     ReportChart chart;
     chart.id = id;
@@ -36,18 +37,19 @@ ReportChart chart_of(const Drive& drive, const char* id, const char* title, cons
     chart.quantity = quantity;
     chart.unit = unit;
     chart.note = note;
-    for (const FieldRow& row : drive.rows)
+    for (const evaluation::FieldRow& row : drive.rows)
         chart.t_s.push_back(row.timestamp_s - drive.rows.front().timestamp_s);
     return chart;
 }
 
 /// A rate of another track: `component` of its motion from the field before, per second.
-Value rate_of(const PoseTrack& track, double (*component)(const Pose2&)) {
+Value rate_of(const evaluation::PoseTrack& track, double (*component)(const Pose2&)) {
     struct Before {
         std::optional<Pose2> pose;
         double timestamp_s = 0.0;
     };
-    return [&track, component, before = Before{}](const FieldRow& row) mutable -> std::optional<double> {
+    return [&track, component,
+            before = Before{}](const evaluation::FieldRow& row) mutable -> std::optional<double> {
         const Before last = std::exchange(before, {track.ground_at(row.timestamp_s), row.timestamp_s});
         if (!last.pose || !before.pose) return std::nullopt;
         return component(compose(inverse(*last.pose), *before.pose)) / (row.timestamp_s - last.timestamp_s);
@@ -55,7 +57,8 @@ Value rate_of(const PoseTrack& track, double (*component)(const Pose2&)) {
 }
 
 /// Truth below everything, flow on top.
-void add_rates(ReportChart& chart, const Drive& drive, double (*component)(const Pose2&), ReportSeries flow) {
+void add_rates(ReportChart& chart, const evaluation::Drive& drive, double (*component)(const Pose2&),
+               ReportSeries flow) {
     if (!drive.ground_truth.empty())
         chart.series.push_back(series_of(truth_look, drive, rate_of(drive.ground_truth, component)));
     if (!drive.odometry.empty())
@@ -63,11 +66,11 @@ void add_rates(ReportChart& chart, const Drive& drive, double (*component)(const
     chart.series.push_back(std::move(flow));
 }
 
-ReportChart turn_chart(const Drive& drive) {
+ReportChart turn_chart(const evaluation::Drive& drive) {
     ReportChart chart = chart_of(drive, "turn", "Turn rate", "turn rate", "deg/s",
                                  "Positive: to the left. Measured with every field.");
     chart.least_span = 2.0;
-    const auto measured = [](const FieldRow& row) -> std::optional<double> {
+    const auto measured = [](const evaluation::FieldRow& row) -> std::optional<double> {
         if (row.status != FieldStatus::Ok) return std::nullopt;
         return to_deg(row.omega_radps);
     };
@@ -76,14 +79,14 @@ ReportChart turn_chart(const Drive& drive) {
     return chart;
 }
 
-ReportChart speed_chart(const Drive& drive) {
+ReportChart speed_chart(const evaluation::Drive& drive) {
     ReportChart chart = chart_of(drive, "speed", "Forward speed", "speed", "m/s",
                                  "By flow: the mean of each cycle that measured it, at the cycle's end.");
     chart.from_zero = true;
     chart.least_span = 0.1;
     ReportSeries flow = flow_look;
     flow.connected = true;
-    for (const FieldRow& row : drive.rows) {
+    for (const evaluation::FieldRow& row : drive.rows) {
         const double unmeasured = row.status == FieldStatus::Ok ? ReportSeries::none : ReportSeries::gap;
         flow.values.push_back(row.v_measured ? row.v_mps : unmeasured);
     }
@@ -94,7 +97,7 @@ ReportChart speed_chart(const Drive& drive) {
     return chart;
 }
 
-ReportChart heading_chart(const Drive& drive) {
+ReportChart heading_chart(const evaluation::Drive& drive) {
     ReportChart chart = chart_of(drive, "heading", "Heading", "heading", "deg",
                                  "Since the first field. Positive: turned left.");
     chart.least_span = 2.0;
@@ -110,7 +113,7 @@ ReportChart heading_chart(const Drive& drive) {
     return chart;
 }
 
-ReportChart distance_chart(const Drive& drive) {
+ReportChart distance_chart(const evaluation::Drive& drive) {
     ReportChart chart = chart_of(drive, "distance", "Distance from the ground truth", "distance", "m",
                                  "From the pose of the first field on.");
     chart.from_zero = true;
@@ -132,10 +135,10 @@ ReportChart distance_chart(const Drive& drive) {
 
 /// A chart with a time for the end of each cycle and for each field without motion: within a cycle the counts
 /// rise and fall, which hides what they tell. The first and the last field are there always.
-ReportChart chart_of_cycles(const Drive& drive, std::vector<const FieldRow*>& shown) {
+ReportChart chart_of_cycles(const evaluation::Drive& drive, std::vector<const evaluation::FieldRow*>& shown) {
     ReportChart chart;
     chart.from_zero = true;
-    for (const FieldRow& row : drive.rows) {
+    for (const evaluation::FieldRow& row : drive.rows) {
         const bool is_border = &row == &drive.rows.front() || &row == &drive.rows.back();
         if (!row.end_of_cycle && row.status == FieldStatus::Ok && !is_border) continue;
         chart.t_s.push_back(row.timestamp_s - drive.rows.front().timestamp_s);
@@ -144,26 +147,26 @@ ReportChart chart_of_cycles(const Drive& drive, std::vector<const FieldRow*>& sh
     return chart;
 }
 
-ReportChart fates_chart(const Drive& drive) {
-    std::vector<const FieldRow*> shown;
+ReportChart fates_chart(const evaluation::Drive& drive) {
+    std::vector<const evaluation::FieldRow*> shown;
     ReportChart chart = chart_of_cycles(drive, shown);
     chart.id = "fates";
     chart.title = "Blocks by fate";
     chart.quantity = "blocks";
     chart.note = "Stacked, at the end of each cycle: what the vectors of the cycle were found to be.";
     chart.stacked = true;
-    for (const FateStyle& style : fate_styles()) {
-        ReportSeries series = {style.label, css_colour(style), false, 1.0, false, {}};
-        const auto fate = static_cast<std::size_t>(style.fate);
-        for (const FieldRow* row : shown)
-            series.values.push_back(row->end_of_cycle ? row->fates.at(fate) : ReportSeries::gap);
+    for (const LabelStyle& style : label_styles()) {
+        ReportSeries series = {style.name, css_colour(style), false, 1.0, false, {}};
+        const auto label = static_cast<std::size_t>(style.label);
+        for (const evaluation::FieldRow* row : shown)
+            series.values.push_back(row->end_of_cycle ? row->labels.at(label) : ReportSeries::gap);
         chart.series.push_back(std::move(series));
     }
     return chart;
 }
 
-ReportChart counts_chart(const Drive& drive) {
-    std::vector<const FieldRow*> shown;
+ReportChart counts_chart(const evaluation::Drive& drive) {
+    std::vector<const evaluation::FieldRow*> shown;
     ReportChart chart = chart_of_cycles(drive, shown);
     chart.id = "counts";
     chart.title = "How far the blocks got";
@@ -172,23 +175,24 @@ ReportChart counts_chart(const Drive& drive) {
         "At the end of each cycle, and for every field without motion. Few confident blocks: little texture, "
         "darkness, or motion blur.";
     chart.least_span = 10.0;
-    const auto add = [&](const char* name, const char* colour, int FieldRow::*member) {
+    const auto add = [&](const char* name, const char* colour, int evaluation::FieldRow::*member) {
         ReportSeries series = {name, colour, false, 1.8, false, {}};
-        for (const FieldRow* row : shown) series.values.push_back(row->*member);
+        for (const evaluation::FieldRow* row : shown) series.values.push_back(row->*member);
         chart.series.push_back(std::move(series));
     };
-    add("placed", "#999999", &FieldRow::placed);
-    add("confident", "#56b4e9", &FieldRow::confident);
-    add("supporting the turn rate", "#009e73", &FieldRow::inliers);
-    add("supporting the speed", "#cc79a7", &FieldRow::ground_window);
-    add("obstacle points", "#d55e00", &FieldRow::obstacles);
+    add("placed", "#999999", &evaluation::FieldRow::placed);
+    add("confident", "#56b4e9", &evaluation::FieldRow::confident);
+    add("supporting the turn rate", "#009e73", &evaluation::FieldRow::inliers);
+    add("supporting the speed", "#cc79a7", &evaluation::FieldRow::ground_window);
+    add("obstacle points", "#d55e00", &evaluation::FieldRow::obstacles);
     return chart;
 }
 
-ReportTrack track_of(const ReportSeries& look, const Drive& drive, const PoseTrack& track) {
+ReportTrack track_of(const ReportSeries& look, const evaluation::Drive& drive,
+                     const evaluation::PoseTrack& track) {
     ReportTrack result = {look, {}};
     std::optional<Pose2> first;
-    for (const FieldRow& row : drive.rows) {
+    for (const evaluation::FieldRow& row : drive.rows) {
         const auto pose = track.ground_at(row.timestamp_s);
         if (pose && !first) first = pose;
         const double unknown = std::nan("");
@@ -199,17 +203,17 @@ ReportTrack track_of(const ReportSeries& look, const Drive& drive, const PoseTra
 
 }  // namespace
 
-std::vector<ReportTrack> report_tracks(const Drive& drive) {
+std::vector<ReportTrack> report_tracks(const evaluation::Drive& drive) {
     std::vector<ReportTrack> tracks;
     if (!drive.ground_truth.empty()) tracks.push_back(track_of(truth_look, drive, drive.ground_truth));
     if (!drive.odometry.empty()) tracks.push_back(track_of(odometry_look, drive, drive.odometry));
     ReportTrack flow = {flow_look, {}};
-    for (const FieldRow& row : drive.rows) flow.poses.push_back(row.T_start_robot);
+    for (const evaluation::FieldRow& row : drive.rows) flow.poses.push_back(row.T_start_robot);
     tracks.push_back(std::move(flow));
     return tracks;
 }
 
-std::vector<ReportChart> report_charts(const Drive& drive) {
+std::vector<ReportChart> report_charts(const evaluation::Drive& drive) {
     std::vector<ReportChart> charts = {turn_chart(drive), speed_chart(drive), heading_chart(drive)};
     if (!drive.ground_truth.empty()) charts.push_back(distance_chart(drive));
     charts.push_back(fates_chart(drive));
@@ -233,11 +237,11 @@ const char* colour_of(FieldStatus status) {
     return "none";
 }
 
-std::string css_colour(const FateStyle& style) {
+std::string css_colour(const LabelStyle& style) {
     const auto part = [&style](int channel) {
         return std::to_string(static_cast<int>(style.colour[channel]));
     };
     return "rgb(" + part(2) + "," + part(1) + "," + part(0) + ")";
 }
 
-}  // namespace flownav
+}  // namespace flownav::report

@@ -4,9 +4,9 @@
 
 #include "flownav/evaluation/drive.h"
 #include "flownav/report/chart.h"
-#include "flownav/report/fate_style.h"
+#include "flownav/report/label_style.h"
 
-namespace flownav {
+namespace flownav::report {
 
 /// The ways of the robot over the same times, each from the identity on; not a number where not known.
 struct ReportTrack {
@@ -14,16 +14,16 @@ struct ReportTrack {
     std::vector<Pose2> poses;
 };
 
-/// Charts over time: turn rate, forward speed, heading, distance from the truth, blocks by fate, counts.
-std::vector<ReportChart> report_charts(const Drive& drive);
+/// Charts over time: turn rate, forward speed, heading, distance from the truth, blocks by label, counts.
+std::vector<ReportChart> report_charts(const evaluation::Drive& drive);
 
 /// Flow, odometry and truth, as far as there are any; one pose a field.
-std::vector<ReportTrack> report_tracks(const Drive& drive);
+std::vector<ReportTrack> report_tracks(const evaluation::Drive& drive);
 
 /// The colour of a status, as in CSS.
 const char* colour_of(FieldStatus status);
 
-/// The colour of a fate, as in CSS.
-std::string css_colour(const FateStyle& style);
+/// The colour of a label, as in CSS.
+std::string css_colour(const LabelStyle& style);
 
-}  // namespace flownav
+}  // namespace flownav::report

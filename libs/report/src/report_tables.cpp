@@ -6,7 +6,7 @@
 #include "report_series.h"
 #include "report_words.h"
 
-namespace flownav {
+namespace flownav::report {
 
 namespace {
 
@@ -23,7 +23,7 @@ Cell value_cell(const Json& value) {
     if (value.is_string()) return {value.get<std::string>()};
     if (value.is_number_float()) {
         const double number = value.get<double>();
-        return {fixed_text(number, std::abs(number) < 1e5 ? 3 : 1), true};
+        return {cli::fixed_text(number, std::abs(number) < 1e5 ? 3 : 1), true};
     }
     return {value.is_null() ? "-" : value.dump(), true};
 }
@@ -83,14 +83,14 @@ std::string errors(const Json& errors) {
            html::paragraph(
                "A dash stands for a figure that could not be computed. Poses of the other track are "
                "interpolated at the times of the fields; the first " +
-               std::to_string(Errors::settling_fields) +
+               std::to_string(evaluation::Errors::settling_fields) +
                " fields, in which the sensor finds its first prediction, are left out of the "
                "figures of turn rate and speed. What is usual holds against ground truth; odometry has "
                "errors of its own.");
 }
 
-std::string statuses(const std::vector<FieldRow>& rows) {
-    const auto counts = status_counts(rows);
+std::string statuses(const std::vector<evaluation::FieldRow>& rows) {
+    const auto counts = evaluation::status_counts(rows);
     std::string lines;
     for (std::size_t i = 0; i < counts.size(); ++i) {
         const FieldStatus status = all_field_statuses.at(i);
@@ -98,13 +98,14 @@ std::string statuses(const std::vector<FieldRow>& rows) {
         name.mark = colour_of(status);
         const double share =
             rows.empty() ? 0.0 : 100.0 * static_cast<double>(counts[i]) / static_cast<double>(rows.size());
-        lines += row({name, number(counts[i]), {fixed_text(share, 1), true}, {explain(status)}},
-                     std::string("status.") + to_string(status));
+        lines +=
+            row({name, number(counts[i]), {cli::fixed_text(share, 1), true}, {evaluation::explain(status)}},
+                std::string("status.") + to_string(status));
     }
     return html::table({{"status"}, {"fields", true}, {"%", true}, {"meaning"}}, lines);
 }
 
-std::string rejected(const InputCounts& read) {
+std::string rejected(const io::InputCounts& read) {
     std::string rows;
     for (const auto& [reason, count] : read.rejected)
         rows += row({reason, number(count), {"left out"}, {reason_words(reason)}}, "rejected." + reason);
@@ -118,7 +119,7 @@ std::string rejected(const InputCounts& read) {
 
 std::string configuration(const Json& config) {
     std::string rows;
-    for (const ConfigKey& key : config_keys()) {
+    for (const config::ConfigKey& key : config::config_keys()) {
         const std::string value = config.at(key.section).at(key.name).get<std::string>();
         const bool changed = value != key.default_value;
         rows += row({key.section + "." + key.name, value, changed ? "default: " + key.default_value : "",
@@ -132,8 +133,8 @@ std::string configuration(const Json& config) {
 
 }  // namespace
 
-std::string report_tables(const Drive& drive, const Config& config) {
-    const Json summary = summary_facts(drive, config);
+std::string report_tables(const evaluation::Drive& drive, const config::Config& config) {
+    const Json summary = evaluation::summary_facts(drive, config);
     std::string html = html::section("Flow odometry compared", errors(summary.at("errors")));
     if (!summary.at("drive").is_null()) html += html::section("The drive", figures(summary, "drive"));
     html += html::section("Status of the fields", statuses(drive.rows));
@@ -145,4 +146,4 @@ std::string report_tables(const Drive& drive, const Config& config) {
     return html + html::section("Configuration", configuration(summary.at("config")));
 }
 
-}  // namespace flownav
+}  // namespace flownav::report

@@ -3,7 +3,7 @@
 
 #include "flownav/report/chart.h"
 
-namespace flownav {
+namespace flownav::report {
 
 namespace {
 
@@ -50,4 +50,4 @@ ReportChart thinned(ReportChart chart, std::size_t most) {
     return chart;
 }
 
-}  // namespace flownav
+}  // namespace flownav::report

@@ -4,7 +4,7 @@
 #include <array>
 #include <iterator>
 
-namespace flownav {
+namespace flownav::report {
 
 namespace {
 
@@ -111,4 +111,4 @@ std::string reason_words(const std::string& reason) {
     return found == std::end(all_reasons) ? reason : subject + found->words;
 }
 
-}  // namespace flownav
+}  // namespace flownav::report

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace flownav {
+namespace flownav::report {
 
 /// A figure of summary.json in words.
 struct FigureWords {
@@ -19,4 +19,4 @@ const FigureWords* figure_words(const std::string& key);
 /// know the reason.
 std::string reason_words(const std::string& reason);
 
-}  // namespace flownav
+}  // namespace flownav::report

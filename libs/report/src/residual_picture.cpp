@@ -9,7 +9,7 @@
 #include "flownav/cli/number_text.h"
 #include "flownav/core/plane_geometry.h"
 
-namespace flownav {
+namespace flownav::report {
 namespace {
 
 using Eigen::Vector2d;
@@ -34,7 +34,7 @@ std::size_t cell_of(const Vector2d& at_px, const CameraModel& camera) {
 }
 
 /// Where the ground would put a vector's end, in pixels.
-Vector2d predicted_end_px(const SeenPair& s, const PairFit& fit, const Vector2d& at_px) {
+Vector2d predicted_end_px(const evaluation::SeenPair& s, const motion::PairFit& fit, const Vector2d& at_px) {
     return s.newer.pixel((fit.H_newer_reference * s.reference.ray(at_px).homogeneous()).hnormalized());
 }
 
@@ -107,18 +107,21 @@ double longest(const ResidualField& field) {
 
 }  // namespace
 
-ResidualComparison compare_residuals(const std::vector<CalibrationPair>& pairs, const MountAngles& before_rad,
-                                     const MountAngles& after_rad) {
+ResidualComparison compare_residuals(const std::vector<evaluation::CalibrationPair>& pairs,
+                                     const motion::MountAngles& before_rad,
+                                     const motion::MountAngles& after_rad) {
     if (pairs.empty()) return {};
     Cells before, after;
-    PoseScratch scratch;
-    for (const CalibrationPair& pair : pairs) {
-        const SeenPair first = seen(pair, before_rad);
-        const SeenPair second = seen(pair, after_rad);
-        const PairFit a = fit_pair(first.rays, first.camera, pair.motion, Geometry::MidPoint, {}, scratch);
-        const PairFit b = fit_pair(second.rays, second.camera, pair.motion, Geometry::MidPoint, {}, scratch);
+    motion::PoseScratch scratch;
+    for (const evaluation::CalibrationPair& pair : pairs) {
+        const evaluation::SeenPair first = evaluation::seen(pair, before_rad);
+        const evaluation::SeenPair second = evaluation::seen(pair, after_rad);
+        const motion::PairFit a =
+            motion::fit_pair(first.rays, first.camera, pair.motion, Geometry::MidPoint, {}, scratch);
+        const motion::PairFit b =
+            motion::fit_pair(second.rays, second.camera, pair.motion, Geometry::MidPoint, {}, scratch);
         if (a.ground_vectors == 0 || b.ground_vectors == 0) continue;
-        const double below_min = near_below_horizon(second.camera);
+        const double below_min = motion::near_below_horizon(second.camera);
         const PlaneGeometry plane(second.camera.mount);
         for (std::size_t i = 0; i < pair.vectors.size(); ++i) {
             const FlowVector& v = pair.vectors[i];
@@ -144,7 +147,7 @@ cv::Mat residual_picture(const Field& background, const ResidualComparison& resi
     // A round magnification that keeps the longest arrow in its surroundings.
     const double scale = std::max(1.0, std::floor(arrow_longest_px / sx / most_px));
     const auto title = [](const std::string& text, const ResidualField& field) {
-        return text + ", residual " + fixed_text(field.median_px, 3) + " px";
+        return text + ", residual " + cli::fixed_text(field.median_px, 3) + " px";
     };
     cv::Mat both;
     cv::hconcat(panel(ground, background.camera, residuals.before, scale, before_colour,
@@ -156,10 +159,10 @@ cv::Mat residual_picture(const Field& background, const ResidualComparison& resi
     cv::copyMakeBorder(both, picture, 0, title_px, 0, 0, cv::BORDER_CONSTANT, cv::Scalar(24, 24, 24));
     cv::putText(picture,
                 "Mean disagreement of the floor's vectors with the ground plane, drawn " +
-                    fixed_text(scale, 0) + " times as long",
+                    cli::fixed_text(scale, 0) + " times as long",
                 {8, picture.rows - 12}, cv::FONT_HERSHEY_SIMPLEX, 0.5, cv::Scalar(235, 235, 235), 1,
                 cv::LINE_AA);
     return picture;
 }
 
-}  // namespace flownav
+}  // namespace flownav::report

@@ -1,7 +1,7 @@
 #include "block_score.h"
 
 #include "flownav/motion/ray_flow.h"
-#include "flownav/obstacles/judge.h"
+#include "flownav/obstacles/classify.h"
 #include "flownav/testing/truth.h"
 
 namespace flownav::fidelity {
@@ -19,12 +19,13 @@ double true_excess_px(const Moment& m, const Vector2d& at_px, const Vector2d& fl
     FlowVector vector;
     vector.at_px = at_px;
     vector.flow_px = flow_px;
-    const RayFlow ray = ray_flow(vector, RayMapper(reference), RayMapper(newer), Geometry::MidPoint);
+    const RayFlow ray = motion::ray_flow(vector, RayMapper(reference), RayMapper(newer), Geometry::MidPoint);
     const EgoMotion motion =
         testing::exact_motion(testing::true_view(scene, m.reference), testing::true_view(scene, m.image));
     const Derotation derotated(PlaneGeometry(reference.mount), motion.omega_rad, motion.pitch_rad,
                                Geometry::MidPoint);
-    return judge(derotated(ray), {reference, motion, 1.0}, m.config.pipeline.obstacles).excess_px;
+    return obstacles::classify(derotated(ray), {reference, motion, 1.0}, m.config.pipeline.obstacles)
+        .excess_px;
 }
 
 /// Whether a block and a little around it show nothing but the ground.
@@ -50,8 +51,8 @@ std::size_t range_index(double range_m) {
 void BlockScore::add(const BlockScore& other) {
     detected.add(other.detected);
     detected_textured.add(other.detected_textured);
-    for (const auto& [fate, count] : other.fates) fates[fate] += count;
-    for (const auto& [fate, count] : other.fates_textured) fates_textured[fate] += count;
+    for (const auto& [label, count] : other.labels) labels[label] += count;
+    for (const auto& [label, count] : other.fates_textured) fates_textured[label] += count;
     false_blocks.add(other.false_blocks);
     for (const auto& [kind, shares] : other.by_kind)
         for (std::size_t i = 0; i < shares.size(); ++i) by_kind[kind].at(i).add(shares.at(i));
@@ -66,7 +67,7 @@ void BlockWatcher::see(const Moment& m) {
 void BlockWatcher::see_block(const Moment& m, const pipeline::BlockRecord& block) {
     const testing::Scene& scene = m.drive.scene;
     const Vector2d& at_px = block.vector.at_px;
-    const bool obstacle = block.fate == BlockFate::Obstacle;
+    const bool obstacle = block.label == BlockLabel::Obstacle;
     const auto truth = testing::exact_flow(scene.world, testing::true_view(scene, m.reference),
                                            testing::true_view(scene, m.image), at_px);
     if (!truth || truth->sight.primitive == testing::ground_primitive) {
@@ -79,10 +80,10 @@ void BlockWatcher::see_block(const Moment& m, const pipeline::BlockRecord& block
     const Pose2& robot = scene.poses[static_cast<std::size_t>(m.image)];
     const double range_m = (truth->sight.point_m.head<2>() - Vector2d(robot.x_m, robot.y_m)).norm();
     score_.detected.add(obstacle);
-    ++score_.fates[block.fate];
+    ++score_.labels[block.label];
     if (thing.texture.surface == testing::Surface::Patterned) {
         score_.detected_textured.add(obstacle);
-        ++score_.fates_textured[block.fate];
+        ++score_.fates_textured[block.label];
     }
     score_.by_kind[thing.kind].at(range_index(range_m)).add(obstacle);
 }

@@ -16,8 +16,8 @@ constexpr std::array<double, 5> range_ends_m = {1.5, 2.0, 3.0, 4.0, 8.0};
 struct BlockScore {
     Share detected;           ///< of the blocks whose true value of (13) exceeds tau by half a pixel
     Share detected_textured;  ///< the part of them that looks at richly textured things
-    std::map<BlockFate, std::int64_t> fates;           ///< what became of them
-    std::map<BlockFate, std::int64_t> fates_textured;  ///< what became of that part
+    std::map<BlockLabel, std::int64_t> labels;           ///< what became of them
+    std::map<BlockLabel, std::int64_t> fates_textured;  ///< what became of that part
     Share false_blocks;                                ///< obstacles that show nothing but floor, per cycle
     std::map<testing::ThingKind, std::array<Share, range_ends_m.size()>> by_kind;  ///< parts of `detected`
 

@@ -6,17 +6,17 @@
 namespace flownav::fidelity {
 namespace {
 
-CameraModel believed(const CameraModel& camera, const CameraConfig& config) {
+CameraModel believed(const CameraModel& camera, const config::CameraConfig& config) {
     mrpt::obs::CObservationImage recorded;
-    recorded.cameraParams = camera_params(camera);
-    recorded.cameraPose = camera_pose(camera.mount);
-    return camera_model(recorded, config, camera.width_px, camera.height_px);
+    recorded.cameraParams = io::camera_params(camera);
+    recorded.cameraPose = io::camera_pose(camera.mount);
+    return io::camera_model(recorded, config, camera.width_px, camera.height_px);
 }
 
 }  // namespace
 
-void run_chain(const RenderedScene& drive, const Config& config, const Watcher& watcher) {
-    pipeline::State state = make_state(config);
+void run_chain(const RenderedScene& drive, const config::Config& config, const Watcher& watcher) {
+    pipeline::State state = config::make_state(config);
     int reference = 0;
     for (int i = 0; i < static_cast<int>(drive.fields.size()); ++i) {
         Field field = drive.fields[static_cast<std::size_t>(i)];

@@ -10,7 +10,7 @@ namespace flownav::fidelity {
 /// One image of a drive after the chain has seen it.
 struct Moment {
     const RenderedScene& drive;
-    const Config& config;
+    const config::Config& config;
     const pipeline::Step& step;
     int image;      ///< index into drive.fields
     int reference;  ///< the image that it was compared with; itself when it was compared with none
@@ -20,6 +20,6 @@ using Watcher = std::function<void(const Moment& moment)>;
 
 /// Runs the chain over a drive. The camera that it believes in is that of the fields with what
 /// config.camera sets.
-void run_chain(const RenderedScene& drive, const Config& config, const Watcher& watcher);
+void run_chain(const RenderedScene& drive, const config::Config& config, const Watcher& watcher);
 
 }  // namespace flownav::fidelity

@@ -38,8 +38,8 @@ std::vector<std::vector<Vector2d>> things_of(std::vector<Vector2d> cells_m) {
 
 }  // namespace
 
-LidarJudge::LidarJudge(const CameraModel& camera, const Config& config)
-    : mapper_(camera), config_(config), layout_(place_blocks(mapper_, config.pipeline.flow)) {}
+LidarJudge::LidarJudge(const CameraModel& camera, const config::Config& config)
+    : mapper_(camera), config_(config), layout_(flow::place_blocks(mapper_, config.pipeline.flow)) {}
 
 void LidarJudge::see(const pipeline::Step& step, const std::vector<Vector3d>& scan_m,
                      const std::vector<Vector3d>& reference_scan_m) {

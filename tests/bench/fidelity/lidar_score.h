@@ -27,10 +27,10 @@ inline double tolerance_m(double range_m) {
 enum class Looks { AtRoad, AtObstacle, Elsewhere };
 
 /// What became of blocks that look at one kind of thing.
-struct Fates {
-    std::map<BlockFate, int> all;
-    std::map<BlockFate, int> telling;  ///< of those whose true value of (13) exceeds tau by half a pixel
-    std::map<BlockFate, int> beyond;   ///< of those whose true flow lies outside the search window
+struct Labels {
+    std::map<BlockLabel, int> all;
+    std::map<BlockLabel, int> telling;  ///< of those whose true value of (13) exceeds tau by half a pixel
+    std::map<BlockLabel, int> beyond;   ///< of those whose true flow lies outside the search window
 };
 
 /// Obstacle points against a lidar, over the cycles of a drive that moved the car.
@@ -43,7 +43,7 @@ struct LidarScore {
     Share cells_lately;  ///< the same, with the points of the last second
     Share things_found;  ///< connected cells, 4 at least, with a point near one of them
     Share things_lately;
-    std::map<Looks, Fates> fates;
+    std::map<Looks, Labels> labels;
     int cycles = 0;
 };
 
@@ -55,7 +55,7 @@ struct LidarView {
 
 /// `layout`: what it covers is the area that is looked at.
 LidarView lidar_view(const std::vector<Eigen::Vector3d>& scan_m, const RayMapper& mapper,
-                     const BlockLayout& layout, double range_max_m);
+                     const flow::BlockLayout& layout, double range_max_m);
 
 /// Distance to the nearest of some places; infinite when there is none.
 double nearest_m(const std::vector<Eigen::Vector2d>& places_m, const Eigen::Vector2d& at_m);
@@ -63,7 +63,7 @@ double nearest_m(const std::vector<Eigen::Vector2d>& places_m, const Eigen::Vect
 /// Enters the cycles of a drive, one after the other.
 class LidarJudge {
   public:
-    LidarJudge(const CameraModel& camera, const Config& config);
+    LidarJudge(const CameraModel& camera, const config::Config& config);
 
     /// `step` ended a cycle; the scans belong to its last field and to its reference.
     void see(const pipeline::Step& step, const std::vector<Eigen::Vector3d>& scan_m,
@@ -86,8 +86,8 @@ class LidarJudge {
     void see_blocks(const pipeline::Step& step, const std::vector<Eigen::Vector3d>& scan_m);
 
     RayMapper mapper_;
-    Config config_;
-    BlockLayout layout_;
+    config::Config config_;
+    flow::BlockLayout layout_;
     LidarView view_;
     std::deque<Moment> moments_;
     LidarScore score_;

@@ -16,13 +16,14 @@ constexpr int returns_min = 3;  // in a cell
 /// True for pixels that a block can look at.
 class Cover {
   public:
-    Cover(const BlockLayout& layout, const CameraModel& camera)
+    Cover(const flow::BlockLayout& layout, const CameraModel& camera)
         : width_px_(camera.width_px),
           height_px_(camera.height_px),
           covered_(static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px)) {
         for (const Eigen::Vector2i& corner : layout.corner_px) {
-            for (int v = corner.y(); v < corner.y() + block_px; ++v)
-                for (int u = corner.x(); u < corner.x() + block_px; ++u) covered_[v * width_px_ + u] = true;
+            for (int v = corner.y(); v < corner.y() + flow::block_px; ++v)
+                for (int u = corner.x(); u < corner.x() + flow::block_px; ++u)
+                    covered_[v * width_px_ + u] = true;
         }
     }
 
@@ -40,8 +41,8 @@ class Cover {
 
 }  // namespace
 
-LidarView lidar_view(const std::vector<Vector3d>& scan_m, const RayMapper& mapper, const BlockLayout& layout,
-                     double range_max_m) {
+LidarView lidar_view(const std::vector<Vector3d>& scan_m, const RayMapper& mapper,
+                     const flow::BlockLayout& layout, double range_max_m) {
     const CameraModel& camera = mapper.camera();
     const Cover cover(layout, camera);
     LidarView view;

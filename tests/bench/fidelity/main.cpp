@@ -65,13 +65,14 @@ struct Arguments {
     TCLAP::ValueArg<std::string> cache{"", "cache", "", false, "", "DIR", command};
 };
 
-Config config_of(Arguments& arguments) {
-    Config config;
-    if (arguments.config.isSet()) load_config_file(config, arguments.config.getValue());
+config::Config config_of(Arguments& arguments) {
+    config::Config config;
+    if (arguments.config.isSet()) config::load_config_file(config, arguments.config.getValue());
     for (const std::string& setting : arguments.set.getValue()) {
         const auto equals = setting.find('=');
-        if (equals == std::string::npos) throw ConfigError("--set " + setting + ": write section.key=value");
-        set_config_value(config, setting.substr(0, equals), setting.substr(equals + 1));
+        if (equals == std::string::npos)
+            throw config::ConfigError("--set " + setting + ": write section.key=value");
+        config::set_config_value(config, setting.substr(0, equals), setting.substr(equals + 1));
     }
     return config;
 }
@@ -82,7 +83,8 @@ std::vector<std::string> scenes_of(Arguments& arguments) {
         for (const testing::Preset& preset : testing::all_presets()) names.emplace_back(preset.name);
     for (const std::string& name : names) {
         if (!testing::preset(name, 1))
-            throw ConfigError("--scene " + name + " is unknown: flownav-make-scene --list prints them");
+            throw config::ConfigError("--scene " + name +
+                                      " is unknown: flownav-make-scene --list prints them");
     }
     return names;
 }
@@ -95,11 +97,11 @@ std::uint64_t seed_of(const std::string& text) {
     } catch (const std::exception&) {
         used = 0;
     }
-    if (used != text.size()) throw ConfigError("--seed " + text + ": choose whole numbers");
+    if (used != text.size()) throw config::ConfigError("--seed " + text + ": choose whole numbers");
     return seed;
 }
 
-Score score_of(const std::string& name, Arguments& arguments, const Config& config) {
+Score score_of(const std::string& name, Arguments& arguments, const config::Config& config) {
     Score score;
     for (const std::string& seed : split(arguments.seed.getValue())) {
         testing::SceneOptions options = testing::preset(name, seed_of(seed)).value();
@@ -112,7 +114,7 @@ Score score_of(const std::string& name, Arguments& arguments, const Config& conf
 }
 
 void print_rows(Arguments& arguments) {
-    const Config config = config_of(arguments);
+    const config::Config config = config_of(arguments);
     const auto names = scenes_of(arguments);
     std::cout << row_heads() << std::endl;
     for (const std::string& name : names) {
@@ -141,7 +143,7 @@ int run(Arguments& arguments) {
         } else {
             print_rows(arguments);
         }
-    } catch (const ConfigError& error) {
+    } catch (const config::ConfigError& error) {
         std::cerr << "flownav-fidelity: " << error.what() << '\n';
         return 1;
     } catch (const std::invalid_argument& error) {
@@ -159,8 +161,8 @@ int run(Arguments& arguments) {
 
 int main(int argc, char** argv) {
     flownav::fidelity::Arguments arguments;
-    flownav::CommandOutput output(arguments.command, "flownav-fidelity", flownav::fidelity::help, std::cout,
-                                  std::cerr);
+    flownav::cli::CommandOutput output(arguments.command, "flownav-fidelity", flownav::fidelity::help,
+                                       std::cout, std::cerr);
     if (!arguments.command.parse(argc, argv)) return output.failed() ? 1 : 0;
     return flownav::fidelity::run(arguments);
 }

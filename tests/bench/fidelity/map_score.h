@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "chain_run.h"
-#include "flownav/mapping/fusion.h"
+#include "flownav/mapping/global_map.h"
 #include "statistics.h"
 
 namespace flownav::fidelity {
@@ -18,13 +18,13 @@ struct MapScore {
 
 class MapWatcher {
   public:
-    explicit MapWatcher(const MapParams& params) : map_(params) {}
+    explicit MapWatcher(const mapping::MapParams& params) : map_(params) {}
 
     void see(const Moment& moment);
     MapScore result(const testing::World& world) const;
 
   private:
-    DriveMap map_;
+    mapping::GlobalMap map_;
     std::set<std::pair<int, int>> seen_;  ///< cells that hold a surface that was in view
 };
 

@@ -15,7 +15,7 @@ std::string line_of(const std::vector<std::string>& cells) {
 
 /// A limit without trailing zeros.
 std::string limit_text(double limit) {
-    std::string text = fixed_text(limit, 3);
+    std::string text = cli::fixed_text(limit, 3);
     while (text.back() == '0') text.pop_back();
     if (text.back() == '.') text.pop_back();
     return text;
@@ -32,7 +32,7 @@ std::string to_markdown(const Table& table) {
 }
 
 std::string cell(double value, int decimals, const std::optional<Target>& target) {
-    std::string text = fixed_text(value, decimals);
+    std::string text = cli::fixed_text(value, decimals);
     if (text.empty()) return "-";
     if (!target) return text;
     const double size = std::abs(value);

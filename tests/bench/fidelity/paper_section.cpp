@@ -66,7 +66,7 @@ std::string range_table(const std::vector<JudgedPoint>& points) {
     const auto is_ahead = [](const JudgedPoint& p) { return std::abs(p.in_robot_m.y()) < ahead_m; };
     for (const Range r :
          {Range{0.8, 1.5}, Range{1.5, 2.5}, Range{2.5, 3.5}, Range{3.5, 5.0}, Range{5.0, 8.0}}) {
-        const std::string span = fixed_text(r.from_m, 1) + "-" + fixed_text(r.to_m, 1) + " m";
+        const std::string span = cli::fixed_text(r.from_m, 1) + "-" + cli::fixed_text(r.to_m, 1) + " m";
         const auto in_range = [&](const JudgedPoint& p) {
             return p.in_robot_m.norm() >= r.from_m && p.in_robot_m.norm() < r.to_m;
         };
@@ -103,7 +103,7 @@ std::string ends_table(const RenderedScene& drive) {
     table.rows.push_back(end_row("flow odometry", flow, scene.poses.back(), path_m, true));
     table.rows.push_back(end_row("wheel odometry, scale 0.6 % and yaw 1 % off",
                                  testing::make_odometry(scene).back(), scene.poses.back(), path_m, false));
-    return "Path: " + fixed_text(path_m, 1) + " m.\n\n" + to_markdown(table);
+    return "Path: " + cli::fixed_text(path_m, 1) + " m.\n\n" + to_markdown(table);
 }
 
 }  // namespace

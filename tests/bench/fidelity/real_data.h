@@ -17,7 +17,7 @@ struct RealDataOptions {
 struct OdometryScore {
     Share ok;           ///< images after the first whose turn was measured
     int first_ok = -1;  ///< number of the first of them; -1: none
-    Errors errors;
+    evaluation::Errors errors;
 };
 
 /// A DonkeyCar with ini/donkeycar.ini against its gyro.

@@ -28,13 +28,13 @@ The second table says what became of the blocks; "above tau" is judged from the 
 )";
 
 /// ini/kitti.ini with what the comment there says about the raw drives.
-Config raw_config() {
-    Config config;
-    load_config_file(config, std::string(FLOWNAV_INI_DIR) + "/kitti.ini");
-    set_config_value(config, "camera.height_m", "1.66");
-    set_config_value(config, "camera.pitch_deg", "0");
-    set_config_value(config, "camera.roll_deg", "-0.2");
-    set_config_value(config, "camera.yaw_deg", "0");
+config::Config raw_config() {
+    config::Config config;
+    config::load_config_file(config, std::string(FLOWNAV_INI_DIR) + "/kitti.ini");
+    config::set_config_value(config, "camera.height_m", "1.66");
+    config::set_config_value(config, "camera.pitch_deg", "0");
+    config::set_config_value(config, "camera.roll_deg", "-0.2");
+    config::set_config_value(config, "camera.yaw_deg", "0");
     return config;
 }
 
@@ -60,23 +60,23 @@ std::string scores_table(const LidarScore& score) {
 
 std::string fates_table(const LidarScore& score) {
     Table table{{"blocks that look at"}, {}};
-    std::vector<BlockFate> fates;
-    for (int k = 0; k <= static_cast<int>(BlockFate::Unjudged); ++k) {
-        fates.push_back(static_cast<BlockFate>(k));
-        table.heads.emplace_back(to_string(fates.back()));
+    std::vector<BlockLabel> labels;
+    for (int k = 0; k <= static_cast<int>(BlockLabel::Unjudged); ++k) {
+        labels.push_back(static_cast<BlockLabel>(k));
+        table.heads.emplace_back(to_string(labels.back()));
     }
-    const auto row = [&](const std::string& name, const std::map<BlockFate, int>& counts) {
+    const auto row = [&](const std::string& name, const std::map<BlockLabel, int>& counts) {
         double all = 0;
-        for (const auto& [fate, count] : counts) all += count;
+        for (const auto& [label, count] : counts) all += count;
         table.rows.push_back({name + " (" + std::to_string(static_cast<int>(all)) + ")"});
-        for (const BlockFate fate : fates) {
-            const auto found = counts.find(fate);
+        for (const BlockLabel label : labels) {
+            const auto found = counts.find(label);
             table.rows.back().push_back(cell(found == counts.end() ? 0.0 : 100 * found->second / all, 1) +
                                         " %");
         }
     };
-    const Fates& road = score.fates.at(Looks::AtRoad);
-    const Fates& obstacle = score.fates.at(Looks::AtObstacle);
+    const Labels& road = score.labels.at(Looks::AtRoad);
+    const Labels& obstacle = score.labels.at(Looks::AtObstacle);
     row("the road", road.all);
     row("obstacles", obstacle.all);
     row("obstacles 0.5 px above tau", obstacle.telling);
@@ -87,13 +87,13 @@ std::string fates_table(const LidarScore& score) {
 }  // namespace
 
 LidarScore braking_score(const fs::path& folder, const RealDataOptions& options) {
-    const Config config = raw_config();
+    const config::Config config = raw_config();
     CameraMount mount;
     mount.height_m = config.camera.height_m.value();
     mount.roll_rad = config.camera.roll_deg.value() * M_PI / 180.0;
     mount.forward_m = config.camera.forward_m.value();
-    KittiRaw images(folder, drive, rate_hz, mount);
-    pipeline::State state = make_state(config);
+    io::KittiRaw images(folder, drive, rate_hz, mount);
+    pipeline::State state = config::make_state(config);
     std::optional<LidarJudge> judge;
     std::optional<KittiLidar> lidar;
     LidarPlan plan;

@@ -31,13 +31,13 @@ constexpr auto gyro_text = R"(
 
 )";
 
-Config config_of(const std::string& ini) {
-    Config config;
-    load_config_file(config, std::string(FLOWNAV_INI_DIR) + '/' + ini);
+config::Config config_of(const std::string& ini) {
+    config::Config config;
+    config::load_config_file(config, std::string(FLOWNAV_INI_DIR) + '/' + ini);
     return config;
 }
 
-CameraMount mount_of(const CameraConfig& camera) {
+CameraMount mount_of(const config::CameraConfig& camera) {
     CameraMount mount;
     mount.height_m = camera.height_m.value();
     mount.pitch_rad = camera.pitch_deg.value() * deg;
@@ -47,11 +47,12 @@ CameraMount mount_of(const CameraConfig& camera) {
     return mount;
 }
 
-std::vector<FieldRow> drive_through(ImageSequence& images, const Config& config, PoseTrack& truth) {
-    pipeline::State state = make_state(config);
-    std::vector<FieldRow> rows;
+std::vector<evaluation::FieldRow> drive_through(io::ImageSequence& images, const config::Config& config,
+                                                evaluation::PoseTrack& truth) {
+    pipeline::State state = config::make_state(config);
+    std::vector<evaluation::FieldRow> rows;
     while (const auto frame = images.next()) {
-        rows.push_back(row_of(pipeline::step(state, frame->field)));
+        rows.push_back(evaluation::row_of(pipeline::step(state, frame->field)));
         if (!frame->T_start_robot) continue;
         const Pose2& pose = *frame->T_start_robot;
         truth.add(frame->field.timestamp_s, {pose.x_m, pose.y_m, 0.0, pose.yaw_rad, 0.0, 0.0});
@@ -60,13 +61,13 @@ std::vector<FieldRow> drive_through(ImageSequence& images, const Config& config,
     return rows;
 }
 
-Share ok_share(const std::vector<FieldRow>& rows) {
+Share ok_share(const std::vector<evaluation::FieldRow>& rows) {
     Share ok;
     for (std::size_t i = 1; i < rows.size(); ++i) ok.add(rows[i].status == FieldStatus::Ok);
     return ok;
 }
 
-int first_ok(const std::vector<FieldRow>& rows) {
+int first_ok(const std::vector<evaluation::FieldRow>& rows) {
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (rows[i].status == FieldStatus::Ok) return static_cast<int>(i);
     return -1;
@@ -100,11 +101,11 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
 }  // namespace
 
 OdometryScore odometry_score(const fs::path& folder) {
-    const Config config = config_of("kitti.ini");
-    KittiOdometry images(folder, "00", mount_of(config.camera));
-    PoseTrack truth;
+    const config::Config config = config_of("kitti.ini");
+    io::KittiOdometry images(folder, "00", mount_of(config.camera));
+    evaluation::PoseTrack truth;
     const auto rows = drive_through(images, config, truth);
-    return {ok_share(rows), first_ok(rows), compare(rows, truth)};
+    return {ok_share(rows), first_ok(rows), evaluation::compare(rows, truth)};
 }
 
 std::string odometry_part(const fs::path& folder) {
@@ -124,11 +125,11 @@ std::string odometry_part(const fs::path& folder) {
 }
 
 GyroScore gyro_score(const fs::path& folder) {
-    const Config config = config_of("donkeycar.ini");
-    FrameTimes times;
+    const config::Config config = config_of("donkeycar.ini");
+    io::FrameTimes times;
     times.file = folder / "log.csv";
-    ImageFolder images(folder / "images", config.camera, times);
-    PoseTrack none;
+    io::ImageFolder images(folder / "images", config.camera, times);
+    evaluation::PoseTrack none;
     const auto rows = drive_through(images, config, none);
     const std::vector<double> gyro = gyro_degps(folder / "log.csv");
     GyroScore score;

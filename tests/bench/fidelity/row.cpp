@@ -58,10 +58,10 @@ std::string left(const std::string& text, std::size_t width) {
     return text.size() >= width ? text : text + std::string(width - text.size(), ' ');
 }
 
-std::string fates_line(const std::string& name, const std::map<BlockFate, std::int64_t>& fates) {
+std::string labels_line(const std::string& name, const std::map<BlockLabel, std::int64_t>& labels) {
     std::string line = left(name, name_width);
-    for (const auto& [fate, count] : fates)
-        line += right(std::string(to_string(fate)) + ' ' + std::to_string(count), 18);
+    for (const auto& [label, count] : labels)
+        line += right(std::string(to_string(label)) + ' ' + std::to_string(count), 18);
     return line;
 }
 
@@ -80,7 +80,7 @@ std::string row_heads() {
 std::string row_of(const std::string& name, const Score& score) {
     std::string row = left(name, name_width);
     for (const Column& column : columns()) {
-        const std::string text = fixed_text(column.value(score), column.decimals);
+        const std::string text = cli::fixed_text(column.value(score), column.decimals);
         row += right(text.empty() ? "-" : text, column.width);
     }
     return row;
@@ -88,7 +88,7 @@ std::string row_of(const std::string& name, const Score& score) {
 
 std::string detection_of(const Score& score) {
     std::string text = left("  blocks to", name_width);
-    for (const double range_m : range_ends_m) text += right(fixed_text(range_m, 1) + " m", 16);
+    for (const double range_m : range_ends_m) text += right(cli::fixed_text(range_m, 1) + " m", 16);
     for (const auto& [kind, shares] : score.blocks.by_kind) {
         text += '\n' + left(std::string("  ") + testing::to_string(kind), name_width);
         for (const Share& share : shares) {
@@ -96,8 +96,8 @@ std::string detection_of(const Score& score) {
             text += right(share.all > 0 ? counts : "-", 16);
         }
     }
-    return text + '\n' + fates_line("  all", score.blocks.fates) + '\n' +
-           fates_line("  textured", score.blocks.fates_textured);
+    return text + '\n' + labels_line("  all", score.blocks.labels) + '\n' +
+           labels_line("  textured", score.blocks.fates_textured);
 }
 
 }  // namespace flownav::fidelity

@@ -63,7 +63,7 @@ std::string detection(const std::vector<Row>& rows) {
     Table table{{"kind"}, {}};
     double from_m = 0.0;
     for (const double to_m : range_ends_m) {
-        table.heads.push_back(fixed_text(from_m, 1) + "-" + fixed_text(to_m, 1) + " m");
+        table.heads.push_back(cli::fixed_text(from_m, 1) + "-" + cli::fixed_text(to_m, 1) + " m");
         from_m = to_m;
     }
     table.heads.emplace_back("all");
@@ -81,15 +81,15 @@ std::string detection(const std::vector<Row>& rows) {
     return to_markdown(table);
 }
 
-std::string fates(const std::vector<Row>& rows) {
+std::string labels(const std::vector<Row>& rows) {
     BlockScore all;
     for (const Row& row : rows) all.add(row.score.blocks);
     Table table{{"fate", "all", "textured"}, {}};
-    for (const auto& [fate, count] : all.fates) {
+    for (const auto& [label, count] : all.labels) {
         const Share whole{count, all.detected.all};
-        const Share textured{all.fates_textured[fate], all.detected_textured.all};
+        const Share textured{all.fates_textured[label], all.detected_textured.all};
         table.rows.push_back(
-            {to_string(fate), cell(whole.percent(), 1) + " %", cell(textured.percent(), 1) + " %"});
+            {to_string(label), cell(whole.percent(), 1) + " %", cell(textured.percent(), 1) + " %"});
     }
     return to_markdown(table);
 }
@@ -136,7 +136,7 @@ std::string scenes_section(const Studio& studio) {
            "## Detection by range and kind\n\nThe same blocks of all scenes together, by what they show and "
            "how far it is. Poles and rails are thinner than a\nblock; walls are blank plaster above a dark "
            "skirting board.\n\n" +
-           detection(rows) + "What becomes of these blocks:\n\n" + fates(rows) + "## Movers\n\n" +
+           detection(rows) + "What becomes of these blocks:\n\n" + labels(rows) + "## Movers\n\n" +
            movers(rows);
 }
 

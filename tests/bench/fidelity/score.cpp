@@ -9,7 +9,7 @@ void Score::add(const Score& other) {
     map.add(other.map);
 }
 
-Score evaluate(const RenderedScene& drive, const Config& config) {
+Score evaluate(const RenderedScene& drive, const config::Config& config) {
     EgoWatcher ego;
     PointWatcher points;
     BlockWatcher blocks;

@@ -17,6 +17,6 @@ struct Score {
 };
 
 /// Runs the chain over a drive that starts at the identity and compares with the exact truth.
-Score evaluate(const RenderedScene& drive, const Config& config);
+Score evaluate(const RenderedScene& drive, const config::Config& config);
 
 }  // namespace flownav::fidelity

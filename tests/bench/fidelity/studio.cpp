@@ -7,15 +7,15 @@
 
 namespace flownav::fidelity {
 
-Config config_of(const Variant& variant) {
-    Config config;
-    for (const auto& [key, value] : variant.settings) set_config_value(config, key, value);
+config::Config config_of(const Variant& variant) {
+    config::Config config;
+    for (const auto& [key, value] : variant.settings) config::set_config_value(config, key, value);
     return config;
 }
 
 RenderedScene Studio::scene(const std::string& preset_name) const {
     const auto options = testing::preset(preset_name, seed);
-    if (!options) throw ConfigError("scene '" + preset_name + "' is unknown");
+    if (!options) throw config::ConfigError("scene '" + preset_name + "' is unknown");
     return render_scene(preset_name + '-' + std::to_string(seed), *options, cache);
 }
 

@@ -16,7 +16,7 @@ struct Variant {
 };
 
 /// The default configuration with a variant's settings. Throws ConfigError.
-Config config_of(const Variant& variant);
+config::Config config_of(const Variant& variant);
 
 /// Where scenes come from, and where the work is said to be.
 struct Studio {

@@ -64,13 +64,14 @@ double tick_step(double span, int ticks) {
 
 std::string text(double x, double y, const std::string& anchor, const std::string& content,
                  const std::string& extra = "") {
-    return "<text x='" + fixed_text(x, 1) + "' y='" + fixed_text(y, 1) + "' text-anchor='" + anchor + "'" +
-           extra + ">" + html_text(content) + "</text>\n";
+    return "<text x='" + cli::fixed_text(x, 1) + "' y='" + cli::fixed_text(y, 1) + "' text-anchor='" +
+           anchor + "'" + extra + ">" + html_text(content) + "</text>\n";
 }
 
 std::string line(double x1, double y1, double x2, double y2, const std::string& css_class) {
-    return "<line class='" + css_class + "' x1='" + fixed_text(x1, 1) + "' y1='" + fixed_text(y1, 1) +
-           "' x2='" + fixed_text(x2, 1) + "' y2='" + fixed_text(y2, 1) + "'/>\n";
+    return "<line class='" + css_class + "' x1='" + cli::fixed_text(x1, 1) + "' y1='" +
+           cli::fixed_text(y1, 1) + "' x2='" + cli::fixed_text(x2, 1) + "' y2='" + cli::fixed_text(y2, 1) +
+           "'/>\n";
 }
 
 std::vector<double> ticks_of(const Range& range, double step) {
@@ -82,7 +83,7 @@ std::vector<double> ticks_of(const Range& range, double step) {
 }
 
 std::string tick_label(double value, double step) {
-    return fixed_text(value, std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9))));
+    return cli::fixed_text(value, std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9))));
 }
 
 std::string axes(const Chart& chart, const Frame& frame) {
@@ -103,13 +104,13 @@ std::string axes(const Chart& chart, const Frame& frame) {
     svg += text(left_px + inner_px / 2, bottom + 38, "middle", chart.x_label);
     const double middle = top_px + frame.height_px / 2;
     svg += text(16, middle, "middle", chart.y_label,
-                " transform='rotate(-90 16 " + fixed_text(middle, 1) + ")'");
+                " transform='rotate(-90 16 " + cli::fixed_text(middle, 1) + ")'");
     return svg;
 }
 
 /// The looks of a line, as attributes.
 std::string stroke(const ChartSeries& series) {
-    return " stroke='" + series.colour + "' stroke-width='" + fixed_text(series.width_px, 1) + "'" +
+    return " stroke='" + series.colour + "' stroke-width='" + cli::fixed_text(series.width_px, 1) + "'" +
            (series.dashed ? " stroke-dasharray='7 4'" : "");
 }
 
@@ -120,11 +121,12 @@ std::string curve(const ChartSeries& series, const Frame& frame, std::size_t mos
         const auto points = thinned(piece, most_a_piece);
         for (std::size_t i = 0; i < points.size(); ++i) {
             path += i == 0 ? "M" : "L";
-            path += fixed_text(frame.u(points[i].x()), 1) + ' ' + fixed_text(frame.v(points[i].y()), 1);
+            path +=
+                cli::fixed_text(frame.u(points[i].x()), 1) + ' ' + cli::fixed_text(frame.v(points[i].y()), 1);
         }
         if (points.size() == 1) {
-            dots += "<circle cx='" + fixed_text(frame.u(points[0].x()), 1) + "' cy='" +
-                    fixed_text(frame.v(points[0].y()), 1) + "' r='1.5' fill='" + series.colour + "'/>\n";
+            dots += "<circle cx='" + cli::fixed_text(frame.u(points[0].x()), 1) + "' cy='" +
+                    cli::fixed_text(frame.v(points[0].y()), 1) + "' r='1.5' fill='" + series.colour + "'/>\n";
         }
     }
     return "<path class='curve'" + stroke(series) + " d='" + path + "'/>\n" + dots;
@@ -134,7 +136,7 @@ std::string legend(const Chart& chart) {
     std::string svg;
     double x = left_px;
     for (const ChartSeries& series : chart.series) {
-        svg += "<path class='curve'" + stroke(series) + " d='M" + fixed_text(x, 1) + " 33h26'/>\n";
+        svg += "<path class='curve'" + stroke(series) + " d='M" + cli::fixed_text(x, 1) + " 33h26'/>\n";
         svg += text(x + 32, 37, "start", series.name);
         x += 32 + 7.2 * static_cast<double>(series.name.size()) + 22;
     }
@@ -219,8 +221,9 @@ std::vector<Eigen::Vector2d> thinned(const std::vector<Eigen::Vector2d>& piece, 
 std::string svg_chart(const Chart& chart) {
     const Frame frame = frame_of(chart);
     const double height_px = top_px + frame.height_px + bottom_px;
-    std::string svg = "<svg viewBox='0 0 " + fixed_text(width_px, 0) + ' ' + fixed_text(height_px, 0) +
-                      "' role='img' aria-label='" + html_text(chart.title) + "'>\n";
+    std::string svg = "<svg viewBox='0 0 " + cli::fixed_text(width_px, 0) + ' ' +
+                      cli::fixed_text(height_px, 0) + "' role='img' aria-label='" + html_text(chart.title) +
+                      "'>\n";
     svg += text(left_px, 17, "start", chart.title, " class='title'");
     if (frame.x.empty()) return svg + text(width_px / 2, height_px / 2, "middle", "no data") + "</svg>\n";
     svg += axes(chart, frame);

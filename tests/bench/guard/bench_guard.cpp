@@ -59,7 +59,7 @@ int run(int argc, char** argv) {
     Arguments a;
     if (!a.line.parse(argc, argv)) return 0;
     ScenarioOptions options;
-    options.sensor = a.sensor.getValue() == "lidar" ? SensorKind::Lidar : SensorKind::Flow;
+    options.sensor = a.sensor.getValue() == "lidar" ? drive::SensorKind::Lidar : drive::SensorKind::Flow;
     if (a.navigator.getValue() == "reactive") options.navigator = NavigatorKind::Reactive;
     options.explain = a.explain.getValue();
     options.mover_near_m = a.near.getValue();

@@ -87,14 +87,14 @@ bool is_of_the_sensor(nav::GuardReason reason) {
            reason != nav::GuardReason::None;
 }
 
-void measure(const DriveResult& drive, const FaultPlan& plan, RunRow& row) {
+void measure(const drive::DriveResult& drive, const FaultPlan& plan, RunRow& row) {
     row.outcome = to_string(drive.outcome);
     row.contact_mps = drive.contact_speed_mps;
-    row.drives_on = drive.outcome == Outcome::Reached;
+    row.drives_on = drive.outcome == drive::Outcome::Reached;
     row.min_clearance_m = 1e9;
     double path_m = 0.0;
-    const DriveSample* before = nullptr;
-    for (const DriveSample& sample : drive.samples) {
+    const drive::DriveSample* before = nullptr;
+    for (const drive::DriveSample& sample : drive.samples) {
         if (sample.time_s < plan.from_s - tick_s / 2) continue;
         row.min_clearance_m = std::min(row.min_clearance_m, sample.clearance_m);
         if (before != nullptr) {
@@ -122,7 +122,7 @@ void measure(const DriveResult& drive, const FaultPlan& plan, RunRow& row) {
     if (row.reason == "-" && row.stop_s >= 0.0) row.reason = "navigator";
 }
 
-void explain(const DriveResult& drive, const FaultPlan& plan) {
+void explain(const drive::DriveResult& drive, const FaultPlan& plan) {
     std::cerr << to_string(plan.fault) << " seed " << plan.seed << " from " << plan.from_s << " to "
               << plan.until_s << ": " << to_string(drive.outcome) << " after " << drive.time_s << " s, "
               << drive.why << "\n";
@@ -131,7 +131,7 @@ void explain(const DriveResult& drive, const FaultPlan& plan) {
                   << nav::to_string(event.reason) << ": " << event.why << "\n";
     }
     for (std::size_t i = 0; i < drive.samples.size(); i += 50) {
-        const DriveSample& s = drive.samples[i];
+        const drive::DriveSample& s = drive.samples[i];
         std::cerr << "  " << s.time_s << " at " << s.T_world_robot.x_m << " " << s.T_world_robot.y_m << " "
                   << s.T_world_robot.yaw_rad << " believes " << s.T_map_robot.x_m << " " << s.T_map_robot.y_m
                   << " proposed " << s.proposed.v_mps << " " << s.proposed.omega_radps << " command "
@@ -142,12 +142,12 @@ void explain(const DriveResult& drive, const FaultPlan& plan) {
 }  // namespace
 
 Scenario::Scenario(const ScenarioOptions& options, std::uint64_t seed) : options_(options), seed_(seed) {
-    DriveObserver nobody;
-    nominal_ = simulate_drive(drive_options(), nobody);
+    drive::DriveObserver nobody;
+    nominal_ = drive::simulate_drive(drive_options(), nobody);
 }
 
-SimulatedDriveOptions Scenario::drive_options() const {
-    SimulatedDriveOptions drive;
+drive::SimulatedDriveOptions Scenario::drive_options() const {
+    drive::SimulatedDriveOptions drive;
     drive.world = make_world(seed_);
     drive.start = drive.world.start;
     drive.goals_m = {*drive.world.goal};
@@ -170,9 +170,9 @@ SimulatedDriveOptions Scenario::drive_options() const {
     return drive;
 }
 
-DriveSample Scenario::moment_of(Fault fault) const {
-    std::vector<DriveSample> steady;
-    for (const DriveSample& sample : nominal_.samples) {
+drive::DriveSample Scenario::moment_of(Fault fault) const {
+    std::vector<drive::DriveSample> steady;
+    for (const drive::DriveSample& sample : nominal_.samples) {
         const bool far_enough = sample.T_world_robot.x_m > 0.6 && sample.T_world_robot.x_m < 2.6;
         if (far_enough && sample.motion.v_mps > 0.25) steady.push_back(sample);
     }
@@ -181,9 +181,9 @@ DriveSample Scenario::moment_of(Fault fault) const {
     return steady[static_cast<std::size_t>(share * static_cast<double>(steady.size()))];
 }
 
-void Scenario::break_drive(SimulatedDriveOptions& drive, const FaultPlan& plan, const DriveSample& at,
-                           RunRow& row) const {
-    DriveFaults& faults = drive.faults;
+void Scenario::break_drive(drive::SimulatedDriveOptions& drive, const FaultPlan& plan,
+                           const drive::DriveSample& at, RunRow& row) const {
+    drive::DriveFaults& faults = drive.faults;
     const double start_s = 1767225600;  // of simulated fields
     auto broken = std::make_shared<BrokenFields>(plan);
     faults.field = [broken, start_s](const Field& field) {
@@ -209,16 +209,16 @@ void Scenario::break_drive(SimulatedDriveOptions& drive, const FaultPlan& plan, 
 
 RunRow Scenario::run(Fault fault) {
     const double begin_s = cpu_seconds();
-    const DriveSample at = moment_of(fault);
+    const drive::DriveSample at = moment_of(fault);
     const double lasts_s = fault == Fault::Mover ? 2.0 * options_.fault_s : options_.fault_s;
     const FaultPlan plan{fault, at.time_s, at.time_s + lasts_s, seed_};
     RunRow row;
     row.fault = fault;
     row.seed = seed_;
-    SimulatedDriveOptions drive = drive_options();
+    drive::SimulatedDriveOptions drive = drive_options();
     break_drive(drive, plan, at, row);
-    DriveObserver nobody;
-    const DriveResult result = simulate_drive(drive, nobody);
+    drive::DriveObserver nobody;
+    const drive::DriveResult result = drive::simulate_drive(drive, nobody);
     const RobotModel& robot = drive.config.navigation.robot;
     row.speed_mps = at.motion.v_mps;
     // The first frozen image is a true one.

@@ -10,7 +10,7 @@ namespace flownav {
 
 /// What is asked of every run.
 struct ScenarioOptions {
-    SensorKind sensor = SensorKind::Flow;
+    drive::SensorKind sensor = drive::SensorKind::Flow;
     bool explain = false;  ///< every change of the guard goes to the console
     NavigatorKind navigator = NavigatorKind::Lanes;
     int width_px = 320;
@@ -46,20 +46,20 @@ class Scenario {
     Scenario(const ScenarioOptions& options, std::uint64_t seed);
 
     /// The drive without a fault reached its goal, so that there is something to break.
-    bool is_sound() const { return nominal_.outcome == Outcome::Reached; }
-    const DriveResult& nominal() const { return nominal_; }
+    bool is_sound() const { return nominal_.outcome == drive::Outcome::Reached; }
+    const drive::DriveResult& nominal() const { return nominal_; }
 
     RunRow run(Fault fault);
 
   private:
-    SimulatedDriveOptions drive_options() const;
-    DriveSample moment_of(Fault fault) const;
-    void break_drive(SimulatedDriveOptions& drive, const FaultPlan& plan, const DriveSample& at,
+    drive::SimulatedDriveOptions drive_options() const;
+    drive::DriveSample moment_of(Fault fault) const;
+    void break_drive(drive::SimulatedDriveOptions& drive, const FaultPlan& plan, const drive::DriveSample& at,
                      RunRow& row) const;
 
     ScenarioOptions options_;
     std::uint64_t seed_;
-    DriveResult nominal_;
+    drive::DriveResult nominal_;
 };
 
 }  // namespace flownav

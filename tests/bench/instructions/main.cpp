@@ -18,30 +18,31 @@ constexpr std::size_t settling_fields = 10;  // the first ones allocate, and kno
 constexpr std::size_t counted_fields = 30;
 
 /// Null when the table does not hold it or the processor cannot run it.
-const KernelEntry* find_kernel(const std::string& name) {
-    const auto& table = kernel_table();
+const flow::KernelEntry* find_kernel(const std::string& name) {
+    const auto& table = flow::kernel_table();
     const auto found =
-        std::find_if(table.begin(), table.end(), [&](const KernelEntry& k) { return name == k.name; });
+        std::find_if(table.begin(), table.end(), [&](const flow::KernelEntry& k) { return name == k.name; });
     return found != table.end() && found->supported() ? &*found : nullptr;
 }
 
-void match(const std::vector<Field>& fields, const KernelEntry& kernel) {
+void match(const std::vector<Field>& fields, const flow::KernelEntry& kernel) {
     const Field& reference = fields[settling_fields];
-    const BlockLayout layout = place_blocks(RayMapper(reference.camera), FlowParams());
+    const flow::BlockLayout layout = flow::place_blocks(RayMapper(reference.camera), flow::FlowParams());
     const std::vector<Eigen::Vector2i> bias_px(layout.size(), Eigen::Vector2i::Zero());
-    MatchSettings settings;
+    flow::MatchSettings settings;
     settings.kernel = &kernel;
     std::vector<FlowVector> vectors(layout.size());
     CALLGRIND_START_INSTRUMENTATION;
     for (std::size_t i = 1; i <= counted_fields; ++i)
-        match_blocks(reference.image, fields[settling_fields + i].image, layout, bias_px, settings, vectors);
+        flow::match_blocks(reference.image, fields[settling_fields + i].image, layout, bias_px, settings,
+                           vectors);
     CALLGRIND_STOP_INSTRUMENTATION;
     CALLGRIND_DUMP_STATS_AT("match");
 }
 
-void step(const std::vector<Field>& fields, const KernelEntry& kernel) {
+void step(const std::vector<Field>& fields, const flow::KernelEntry& kernel) {
     const pipeline::Params params;
-    pipeline::State state(params, BlockMatcher(params.flow, 1, kernel));
+    pipeline::State state(params, flow::BlockMatcher(params.flow, 1, kernel));
     for (std::size_t i = 0; i < settling_fields; ++i) pipeline::step(state, fields[i]);
     CALLGRIND_START_INSTRUMENTATION;
     for (std::size_t i = 0; i < counted_fields; ++i) pipeline::step(state, fields[settling_fields + i]);
@@ -50,7 +51,7 @@ void step(const std::vector<Field>& fields, const KernelEntry& kernel) {
 }
 
 int run(const std::string& rawlog, const std::string& kernel_name) {
-    const KernelEntry* kernel = find_kernel(kernel_name);
+    const flow::KernelEntry* kernel = find_kernel(kernel_name);
     if (kernel == nullptr) {
         std::cerr << "kernel " << kernel_name << ": not in the table, or not supported here\n";
         return 77;

@@ -23,7 +23,7 @@ const char* const wheels_colour = "#d55e00";
 const char* const thing_colour = "#999999";
 
 /// What both kinds of odometry said while the robot drove; each starts at the identity.
-struct Tracks : DriveObserver {
+struct Tracks : drive::DriveObserver {
     struct Stamped {
         double time_s;
         Pose2 pose;
@@ -90,15 +90,16 @@ ChartSeries things(const sim::World& world, const Pose2& start) {
 }
 
 struct Figures {
-    DriveResult result;
+    drive::DriveResult result;
     double flow_error_percent = 0.0;
     double wheels_error_percent = 0.0;
     double flow_heading_deg = 0.0;
     double wheels_heading_deg = 0.0;
 };
 
-SimulatedDriveOptions experiment(const std::string& world, const Config& config, double way_m) {
-    SimulatedDriveOptions options;
+drive::SimulatedDriveOptions experiment(const std::string& world, const config::Config& config,
+                                        double way_m) {
+    drive::SimulatedDriveOptions options;
     options.world = sim::read_sdf_world(world).world;
     options.start = options.world.start;
     options.config = config;
@@ -129,11 +130,11 @@ double heading_error_deg(const std::vector<Tracks::Stamped>& track, const Pose2&
     return wrap_angle(track.back().pose.yaw_rad - truth.yaw_rad) * 180.0 / M_PI;
 }
 
-Figures run(const SimulatedDriveOptions& options, const std::string& name,
+Figures run(const drive::SimulatedDriveOptions& options, const std::string& name,
             const std::filesystem::path& folder) {
     Tracks tracks;
     Figures figures;
-    figures.result = simulate_drive(options, tracks);
+    figures.result = drive::simulate_drive(options, tracks);
     const auto truth = from_start(tracks.truth);
     const auto flow = from_start(tracks.flow);
     auto wheels = from_start(tracks.wheels);
@@ -159,16 +160,18 @@ Figures run(const SimulatedDriveOptions& options, const std::string& name,
     heading.series = {heading_of("wheels", wheels_colour, wheels), heading_of("truth", truth_colour, truth),
                       heading_of("optic flow", flow_colour, flow)};
     heading.series[2].dashed = true;
-    write_file(folder / ("railing-" + name + "-way.svg"), svg_file(plan));
-    write_file(folder / ("railing-" + name + "-heading.svg"), svg_file(heading));
+    io::write_file(folder / ("railing-" + name + "-way.svg"), svg_file(plan));
+    io::write_file(folder / ("railing-" + name + "-heading.svg"), svg_file(heading));
     return figures;
 }
 
 std::string row(const std::string& name, const Figures& f) {
-    return "| " + name + " | " + to_string(f.result.outcome) + " | " + fixed_text(f.result.path_m, 1) +
-           " | " + fixed_text(f.result.time_s, 1) + " | " + fixed_text(f.result.min_clearance_m, 2) + " | " +
-           fixed_text(f.flow_error_percent, 2) + " | " + fixed_text(f.flow_heading_deg, 2) + " | " +
-           fixed_text(f.wheels_error_percent, 2) + " | " + fixed_text(f.wheels_heading_deg, 2) + " |\n";
+    return "| " + name + " | " + to_string(f.result.outcome) + " | " + cli::fixed_text(f.result.path_m, 1) +
+           " | " + cli::fixed_text(f.result.time_s, 1) + " | " +
+           cli::fixed_text(f.result.min_clearance_m, 2) + " | " + cli::fixed_text(f.flow_error_percent, 2) +
+           " | " + cli::fixed_text(f.flow_heading_deg, 2) + " | " +
+           cli::fixed_text(f.wheels_error_percent, 2) + " | " + cli::fixed_text(f.wheels_heading_deg, 2) +
+           " |\n";
 }
 
 int experiment_app(int argc, char** argv) {
@@ -179,13 +182,13 @@ int experiment_app(int argc, char** argv) {
                                         command);
     TCLAP::ValueArg<double> way("", "way-m", "length of the drive", false, 18.0, "M", command);
     if (!command.parse(argc, argv)) return 0;
-    make_output_folder(folder.getValue());
+    io::make_output_folder(folder.getValue());
     std::string table =
         "| navigator | outcome | way (m) | time (s) | nearest (m) | flow: end (% of way) | heading (deg) | "
         "wheels: end (% of way) | heading (deg) |\n|---|---|---|---|---|---|---|---|---|\n";
     for (const auto& [name, kind] :
          {std::pair{"lanes", NavigatorKind::Lanes}, {"reactive", NavigatorKind::Reactive}}) {
-        Config config;
+        config::Config config;
         config.navigation.navigator = kind;
         const Figures figures =
             run(experiment(world.getValue(), config, way.getValue()), name, folder.getValue());
@@ -193,7 +196,7 @@ int experiment_app(int argc, char** argv) {
         std::cout << name << ": " << to_string(figures.result.outcome) << ' ' << figures.result.why << '\n';
     }
     std::cout << table;
-    write_file(std::filesystem::path(folder.getValue()) / "railing-table.md", table);
+    io::write_file(std::filesystem::path(folder.getValue()) / "railing-table.md", table);
     return 0;
 }
 

@@ -70,8 +70,8 @@ std::vector<std::string> row_of(const std::string& name, const Score& score) {
             pair_of(score.speed_error)};
 }
 
-void set_all(Config& config, const Settings& settings) {
-    for (const auto& [key, value] : settings) set_config_value(config, key, value);
+void set_all(config::Config& config, const Settings& settings) {
+    for (const auto& [key, value] : settings) config::set_config_value(config, key, value);
 }
 
 struct Arguments {
@@ -83,13 +83,14 @@ struct Arguments {
     TCLAP::MultiArg<std::string> set{"", "set", "", false, "section.key=value", command};
 };
 
-Config base_config(Arguments& arguments) {
-    Config config;
+config::Config base_config(Arguments& arguments) {
+    config::Config config;
     set_all(config, recommended_settings());
     for (const std::string& setting : arguments.set.getValue()) {
         const auto equals = setting.find('=');
-        if (equals == std::string::npos) throw ConfigError("--set " + setting + ": write section.key=value");
-        set_config_value(config, setting.substr(0, equals), setting.substr(equals + 1));
+        if (equals == std::string::npos)
+            throw config::ConfigError("--set " + setting + ": write section.key=value");
+        config::set_config_value(config, setting.substr(0, equals), setting.substr(equals + 1));
     }
     return config;
 }
@@ -99,7 +100,7 @@ bool same_pictures(const Section& section) {
     return section.name == "settings";
 }
 
-void print_section(const Section& section, Arguments& arguments, const Config& base) {
+void print_section(const Section& section, Arguments& arguments, const config::Config& base) {
     std::vector<Score> scores(section.cases.size());
     const int first = arguments.first.getValue();
     for (int seed = first; seed < first + arguments.seeds.getValue(); ++seed) {
@@ -110,7 +111,7 @@ void print_section(const Section& section, Arguments& arguments, const Config& b
             options.seed = static_cast<std::uint64_t>(seed);
             options.seconds = arguments.seconds.getValue();
             if (i == 0 || !same_pictures(section)) drive = record(options, to_simulator(one.camera));
-            Config config = base;
+            config::Config config = base;
             set_all(config, one.settings);
             scores[i].add(evaluate(drive, config));
         }
@@ -129,7 +130,8 @@ std::vector<Section> sections_of(Arguments& arguments) {
         const auto section =
             std::find_if(all.begin(), all.end(), [&](const Section& one) { return one.name == name; });
         if (section == all.end())
-            throw ConfigError("--section " + name + ": lens, pictures, mount, speed, turn, look or settings");
+            throw config::ConfigError("--section " + name +
+                                      ": lens, pictures, mount, speed, turn, look or settings");
         chosen.push_back(*section);
     }
     return chosen;
@@ -139,10 +141,10 @@ int run(Arguments& arguments) {
     try {
         if (arguments.first.getValue() < 0 || arguments.seeds.getValue() < 1 ||
             !(arguments.seconds.getValue() >= 2.0))
-            throw ConfigError("--first must be at least 0, --seeds at least 1, --seconds at least 2");
-        const Config base = base_config(arguments);
+            throw config::ConfigError("--first must be at least 0, --seeds at least 1, --seconds at least 2");
+        const config::Config base = base_config(arguments);
         for (const Section& section : sections_of(arguments)) print_section(section, arguments, base);
-    } catch (const ConfigError& error) {
+    } catch (const config::ConfigError& error) {
         std::cerr << "flownav-sensor-bench: " << error.what() << '\n';
         return 1;
     }
@@ -154,8 +156,8 @@ int run(Arguments& arguments) {
 
 int main(int argc, char** argv) {
     flownav::sensor_bench::Arguments arguments;
-    flownav::CommandOutput output(arguments.command, "flownav-sensor-bench", flownav::sensor_bench::help,
-                                  std::cout, std::cerr);
+    flownav::cli::CommandOutput output(arguments.command, "flownav-sensor-bench", flownav::sensor_bench::help,
+                                       std::cout, std::cerr);
     if (!arguments.command.parse(argc, argv)) return output.failed() ? 1 : 0;
     return flownav::sensor_bench::run(arguments);
 }

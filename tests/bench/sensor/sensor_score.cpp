@@ -196,11 +196,11 @@ void Score::add(const Score& other) {
     seconds += other.seconds;
 }
 
-Score evaluate(const RecordedDrive& drive, const Config& config) {
+Score evaluate(const RecordedDrive& drive, const config::Config& config) {
     Score score;
     score.seconds = drive.options.seconds;
     Judge judge(drive, score);
-    pipeline::State state = make_state(config);
+    pipeline::State state = config::make_state(config);
     for (std::size_t i = 0; i < drive.fields.size(); ++i)
         judge.field(pipeline::step(state, drive.fields[i]), i);
     judge.finish();

@@ -45,6 +45,6 @@ struct Score {
     void add(const Score& other);
 };
 
-Score evaluate(const RecordedDrive& drive, const Config& config);
+Score evaluate(const RecordedDrive& drive, const config::Config& config);
 
 }  // namespace flownav::sensor_bench

@@ -4,12 +4,12 @@
 #include <cstdio>
 
 int main(int argc, char** argv) {
-    flownav::Config config;
-    if (argc > 1) flownav::load_config_file(config, argv[1]);
-    std::fputs(flownav::dump_config(config).c_str(), stdout);
+    flownav::config::Config config;
+    if (argc > 1) flownav::config::load_config_file(config, argv[1]);
+    std::fputs(flownav::config::dump_config(config).c_str(), stdout);
     try {
-        flownav::RawlogReader reader("no_such_file.rawlog");
-    } catch (const flownav::InputError&) {
+        flownav::io::RawlogReader reader("no_such_file.rawlog");
+    } catch (const flownav::io::InputError&) {
         return 0;
     }
     return 1;

@@ -12,14 +12,14 @@ namespace fs = std::filesystem;
 Contents contents_of(const fs::path& rawlog) {
     Contents contents;
     try {
-        RawlogReader reader(rawlog);
+        io::RawlogReader reader(rawlog);
         while (const auto observation = reader.next()) {
             contents.sightings.emplace_back(observation->sensorLabel,
                                             observation->timestamp.time_since_epoch().count());
         }
         contents.end = reader.end();
-    } catch (const InputError& error) {
-        contents.end.kind = ReadEnd::Kind::Corrupt;
+    } catch (const io::InputError& error) {
+        contents.end.kind = io::ReadEnd::Kind::Corrupt;
         contents.end.message = error.what();
     }
     return contents;

@@ -15,7 +15,7 @@ using Sighting = std::pair<std::string, std::int64_t>;
 /// What a recording holds, in its order, and how reading it ended.
 struct Contents {
     std::vector<Sighting> sightings;
-    ReadEnd end;
+    io::ReadEnd end;
 };
 
 Contents contents_of(const std::filesystem::path& rawlog);

@@ -86,7 +86,7 @@ void end_at_random_moments(int signal, const Check& check) {
 void expect_everything(Victim& victim) {
     EXPECT_EQ(victim.child->wait(), 0) << victim.child->log();
     const auto contents = testing::contents_of(victim.rawlog);
-    EXPECT_EQ(contents.end.kind, ReadEnd::Kind::Clean) << contents.end.message;
+    EXPECT_EQ(contents.end.kind, io::ReadEnd::Kind::Clean) << contents.end.message;
     EXPECT_TRUE(testing::missing(testing::journal_of(victim.journal), contents.sightings).empty());
     EXPECT_GE(contents.sightings.size(), victim.moment);
 }
@@ -109,9 +109,10 @@ TEST(KilledGrab, SigkillLosesTheLastHalfSecondAtMost) {
         const auto lost = testing::missing(journal, contents.sightings);
         const bool empty_yet = contents.sightings.empty() && lost.size() == journal.size();
         // The kernel may stop in the middle of its last write.
-        const bool cut = contents.end.kind == ReadEnd::Kind::Truncated;
+        const bool cut = contents.end.kind == io::ReadEnd::Kind::Truncated;
         cut_members += cut ? 1 : 0;
-        EXPECT_TRUE(cut || empty_yet || contents.end.kind == ReadEnd::Kind::Clean) << contents.end.message;
+        EXPECT_TRUE(cut || empty_yet || contents.end.kind == io::ReadEnd::Kind::Clean)
+            << contents.end.message;
         for (const Sighting& sighting : lost)
             worst_s = std::max(worst_s, 1e-7 * static_cast<double>(victim.ended_100ns - sighting.second));
     });

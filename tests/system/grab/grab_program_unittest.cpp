@@ -48,7 +48,7 @@ class GrabProgram : public ::testing::Test {
     /// Every noted observation is in the recording, which ends cleanly.
     void expect_complete() const {
         const Contents contents = contents_of(rawlog);
-        EXPECT_EQ(contents.end.kind, ReadEnd::Kind::Clean) << contents.end.message;
+        EXPECT_EQ(contents.end.kind, io::ReadEnd::Kind::Clean) << contents.end.message;
         EXPECT_TRUE(testing::missing(testing::journal_of(journal), contents.sightings).empty());
     }
 
@@ -88,7 +88,7 @@ TEST_F(GrabProgram, TheFlowSensorNeedsNoPlugin) {
                                  FLOWNAV_CORRIDOR + "\n");
     EXPECT_EQ(Child(FLOWNAV_GRAB, {ini, "--output", rawlog}, folder / "log").wait(), 0) << log();
     const Contents contents = contents_of(rawlog);
-    EXPECT_EQ(contents.end.kind, ReadEnd::Kind::Clean) << contents.end.message;
+    EXPECT_EQ(contents.end.kind, io::ReadEnd::Kind::Clean) << contents.end.message;
     const auto count = [&](const std::string& label) {
         return std::count_if(contents.sightings.begin(), contents.sightings.end(),
                              [&](const testing::Sighting& s) { return s.first == label; });
@@ -127,7 +127,7 @@ TEST_F(GrabProgram, AFullFileIsFollowedByTheNextAndEachIsReadable) {
     std::vector<testing::Sighting> all;
     for (const fs::path& part : parts) {
         const Contents contents = contents_of(part);
-        EXPECT_EQ(contents.end.kind, ReadEnd::Kind::Clean) << contents.end.message;
+        EXPECT_EQ(contents.end.kind, io::ReadEnd::Kind::Clean) << contents.end.message;
         EXPECT_FALSE(contents.sightings.empty()) << part;
         EXPECT_LE(fs::file_size(part), 1000000U) << part;
         all.insert(all.end(), contents.sightings.begin(), contents.sightings.end());
@@ -198,7 +198,7 @@ TEST_F(GrabProgram, ADiskThatFillsUpEndsWithThreeAndAReadableRecording) {
     EXPECT_EQ(start({}, 1500000)->wait(), 3);
     expect_said("cannot write " + rawlog.string() + ": File too large");
     const Contents contents = contents_of(rawlog);
-    EXPECT_EQ(contents.end.kind, ReadEnd::Kind::Clean) << contents.end.message;
+    EXPECT_EQ(contents.end.kind, io::ReadEnd::Kind::Clean) << contents.end.message;
     EXPECT_GT(contents.sightings.size(), 10U);
 }
 
@@ -222,7 +222,7 @@ TEST_F(GrabProgram, WhatADiskTooSlowCostsIsReported) {
     EXPECT_EQ(start({"--duration", "0.5", "--queue", "0.001"})->wait(), 4);
     expect_said("the disk was too slow: ");
     expect_said(" observations of CAMERA");
-    EXPECT_EQ(contents_of(rawlog).end.kind, ReadEnd::Kind::Clean);
+    EXPECT_EQ(contents_of(rawlog).end.kind, io::ReadEnd::Kind::Clean);
 }
 
 // ---- odd surroundings
@@ -282,8 +282,8 @@ TEST_F(GrabProgram, AGrowingRecordingCanBeReadAtAnyMoment) {
     for (std::size_t observations = 60; observations <= 180; observations += 60) {
         wait_for_observations(observations, *child);
         const Contents contents = contents_of(rawlog);
-        EXPECT_TRUE(contents.end.kind == ReadEnd::Kind::Clean ||
-                    contents.end.kind == ReadEnd::Kind::Truncated)
+        EXPECT_TRUE(contents.end.kind == io::ReadEnd::Kind::Clean ||
+                    contents.end.kind == io::ReadEnd::Kind::Truncated)
             << contents.end.message;
         EXPECT_GT(contents.sightings.size(), before);
         before = contents.sightings.size();

@@ -62,8 +62,8 @@ TEST(CalibrateApp, FindsPitchRollAndHeightFromAWrongStartAndWritesAnIniThatLoads
              "--set", "flow.blocks=200", "--quiet"});
     EXPECT_EQ(result.status, 0) << result.error;
     EXPECT_TRUE(result.out.empty());
-    Config config;
-    load_config_file(config, c.ini.string());
+    config::Config config;
+    config::load_config_file(config, c.ini.string());
     EXPECT_NEAR(config.camera.pitch_deg.value(), 25.0, 0.3);
     EXPECT_NEAR(config.camera.roll_deg.value(), 0.0, 0.3);
     EXPECT_NEAR(config.camera.height_m.value(), 0.9, 0.015);
@@ -78,8 +78,8 @@ TEST(CalibrateApp, WithoutOdometryTheHeightStaysAndItSaysSo) {
     EXPECT_EQ(result.status, 0) << result.error;
     EXPECT_NE(result.out.find("height_m: not determined"), std::string::npos) << result.out;
     EXPECT_NE(result.out.find("--odometry"), std::string::npos);
-    Config config;
-    load_config_file(config, c.ini.string());
+    config::Config config;
+    config::load_config_file(config, c.ini.string());
     EXPECT_FALSE(config.camera.height_m);
     EXPECT_TRUE(config.camera.pitch_deg);
 }

@@ -31,7 +31,7 @@ std::string content(const fs::path& file) {
 TEST(ConfigApp, DumpIsTheDefaultConfigurationAndTheFileInTheTree) {
     const Outcome dump = run({"--dump"});
     EXPECT_EQ(dump.status, 0);
-    EXPECT_EQ(dump.out, dump_config(Config{}));
+    EXPECT_EQ(dump.out, config::dump_config(config::Config{}));
     EXPECT_EQ(dump.out, content(fs::path(FLOWNAV_INI_DIR) / "default.ini"))
         << "run: flownav-config --dump > ini/default.ini";
 }
@@ -50,7 +50,7 @@ TEST(ConfigApp, ReadyInisHoldOnlyWhatDiffersFromTheDefaults) {
     for (const auto& entry : fs::directory_iterator(FLOWNAV_INI_DIR)) {
         if (entry.path().filename() == "default.ini") continue;
         const std::string text = content(entry.path());
-        for (const ConfigKey& key : config_keys()) {
+        for (const config::ConfigKey& key : config::config_keys()) {
             EXPECT_EQ(text.find("\n" + key.name + " = " + key.default_value + "\n"), std::string::npos)
                 << entry.path() << ": " << key.name;
         }
@@ -71,7 +71,7 @@ TEST(ConfigApp, CheckNamesWhatIsWrongAndExitsWithOne) {
 }
 
 TEST(ConfigApp, DocIsTheTableOfKeys) {
-    EXPECT_EQ(run({"--doc"}).out, document_config());
+    EXPECT_EQ(run({"--doc"}).out, config::document_config());
 }
 
 TEST(ConfigApp, HelpAndVersionGoToStandardOutput) {
@@ -79,7 +79,7 @@ TEST(ConfigApp, HelpAndVersionGoToStandardOutput) {
     EXPECT_EQ(help.status, 0);
     EXPECT_NE(help.out.find("Exit status"), std::string::npos);
     EXPECT_EQ(run({"--version"}).out, std::string("flownav-config ") + version() +
-                                          "\nmatching kernel: " + default_kernel().name + "\n");
+                                          "\nmatching kernel: " + flow::default_kernel().name + "\n");
 }
 
 TEST(ConfigApp, WrongArgumentsExitWithOneAndPointToHelp) {

@@ -56,7 +56,7 @@ TEST(ImportApp, HelpAndVersionGoToTheOutputWithStatusZero) {
     expect_names(help.out, {"kitti-odometry", "kitti-raw", "images", "video", "Exit status", "--times"});
     EXPECT_EQ(run({"images", "--help"}).status, 0);
     EXPECT_EQ(run({"--version"}).out, "flownav-import " + std::string(version()) +
-                                          "\nmatching kernel: " + default_kernel().name + "\n");
+                                          "\nmatching kernel: " + flow::default_kernel().name + "\n");
 }
 
 TEST(ImportApp, BadUsageIsStatusOneAndPointsToHelp) {
@@ -106,11 +106,11 @@ TEST(ImportApp, PicturesBecomeARawlog) {
              output.string(), "--rate", "10", "--quiet"});
     EXPECT_EQ(outcome.status, 0) << outcome.error;
     EXPECT_TRUE(outcome.out.empty()) << outcome.out;
-    RawlogReader reader(output);
-    FieldSource source(reader, {});
+    io::RawlogReader reader(output);
+    io::FieldSource source(reader, {});
     while (source.next()) continue;
     EXPECT_EQ(source.counts().fields, 3U);
-    EXPECT_EQ(reader.end().kind, ReadEnd::Kind::Clean);
+    EXPECT_EQ(reader.end().kind, io::ReadEnd::Kind::Clean);
 }
 
 TEST(ImportApp, DamagedPictureIsStatusTwoAndTheOthersAreWritten) {
@@ -155,11 +155,11 @@ TEST(ImportApp, KittiSequenceHasTheMotionOfTheCar) {
     const Outcome outcome =
         run({"kitti-odometry", data.string(), "00", "--output", output.string(), "--quiet"});
     ASSERT_EQ(outcome.status, 0) << outcome.error;
-    RawlogReader reader(output);
-    FieldSource source(reader, {});
-    std::vector<PoseSample> poses;
+    io::RawlogReader reader(output);
+    io::FieldSource source(reader, {});
+    std::vector<io::PoseSample> poses;
     while (const auto event = source.next()) {
-        if (const auto* pose = std::get_if<PoseSample>(&*event)) poses.push_back(*pose);
+        if (const auto* pose = std::get_if<io::PoseSample>(&*event)) poses.push_back(*pose);
     }
     EXPECT_EQ(source.counts().fields, 100U);
     EXPECT_TRUE(source.counts().rejected.empty());

@@ -62,8 +62,8 @@ TEST(SimApp, HelpAndVersionGoToTheOutputWithStatusZero) {
     EXPECT_TRUE(help.error.empty());
     for (const char* part : {"--script", "--path", "--generate", "Exit status", "--interlaced"})
         EXPECT_NE(help.out.find(part), std::string::npos) << part;
-    EXPECT_EQ(run({"--version"}).out,
-              "flownav-sim " + std::string(version()) + "\nmatching kernel: " + default_kernel().name + "\n");
+    EXPECT_EQ(run({"--version"}).out, "flownav-sim " + std::string(version()) +
+                                          "\nmatching kernel: " + flow::default_kernel().name + "\n");
 }
 
 TEST(SimApp, BadUsageIsStatusOneAndSaysWhatIsWrong) {
@@ -110,20 +110,20 @@ TEST(SimApp, WritesTheGeneratedWorld) {
 struct Recorded {
     std::vector<double> times_s;
     std::vector<Field> fields;
-    std::vector<PoseSample> odometry, truth;
+    std::vector<io::PoseSample> odometry, truth;
 };
 
 Recorded read(const fs::path& file) {
     Recorded recorded;
-    RawlogReader reader(file.string());
-    FieldSource source(reader, CameraConfig{});
+    io::RawlogReader reader(file.string());
+    io::FieldSource source(reader, config::CameraConfig{});
     while (auto event = source.next()) {
         if (auto* field = std::get_if<Field>(&*event)) {
             recorded.times_s.push_back(field->timestamp_s);
             recorded.fields.push_back(std::move(*field));
         } else {
-            const auto& pose = std::get<PoseSample>(*event);
-            (pose.source == PoseSample::Source::Odometry ? recorded.odometry : recorded.truth)
+            const auto& pose = std::get<io::PoseSample>(*event);
+            (pose.source == io::PoseSample::Source::Odometry ? recorded.odometry : recorded.truth)
                 .push_back(pose);
         }
     }
@@ -158,10 +158,10 @@ TEST(SimApp, AReplayOfTheRecordingComesNearTheTruth) {
                    "240", "--output", drive.string(), "--quiet"})
                   .status,
               0);
-    ReplayOptions options;
+    replay::ReplayOptions options;
     options.input = drive;
     options.output = folder / "result";
-    ASSERT_EQ(replay(options).status, ExitStatus::Fine);
+    ASSERT_EQ(replay::replay(options).status, replay::ExitStatus::Fine);
     const auto errors = nlohmann::json::parse(text_of(folder / "result" / "summary.json"))["errors"];
     const auto& truth = errors["ground_truth"];
     EXPECT_LT(truth["omega_cycle_rms_degps"].get<double>(), 0.12);

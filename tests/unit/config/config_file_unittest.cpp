@@ -7,7 +7,7 @@
 
 #include "flownav/config/config.h"
 
-namespace flownav {
+namespace flownav::config {
 namespace {
 
 namespace fs = std::filesystem;
@@ -176,4 +176,4 @@ TEST_F(ConfigFile, MissingFilesAndFoldersAreNamed) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::config

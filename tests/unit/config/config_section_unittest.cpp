@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <mrpt/config/CConfigFileMemory.h>
 
-namespace flownav {
+namespace flownav::config {
 namespace {
 
 TEST(ConfigSection, ReadsItsKeysFromASectionOfAnyNameAmongOthers) {
@@ -31,4 +31,4 @@ TEST(ConfigSection, WhatItSavesItLoads) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::config

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-namespace flownav {
+namespace flownav::config {
 namespace {
 
 std::string error_of(const std::string& key, const std::string& value) {
@@ -72,11 +72,11 @@ TEST(Config, ValuesReachTheirPlaces) {
     EXPECT_EQ(with("camera.cx_px", "607.1").camera.cx_px, 607.1);
     EXPECT_EQ(with("camera.cy_px", "185.2").camera.cy_px, 185.2);
     EXPECT_EQ(with("flow.blocks", "2000").pipeline.flow.blocks, 2000);
-    EXPECT_EQ(with("flow.subpixel", "parabola").pipeline.flow.subpixel, Subpixel::Parabola);
+    EXPECT_EQ(with("flow.subpixel", "parabola").pipeline.flow.subpixel, flow::Subpixel::Parabola);
     EXPECT_EQ(with("flow.confidence_min", "0.12").pipeline.flow.confidence_min, 0.12);
-    EXPECT_EQ(with("flow.blind_cone", "0.08").pipeline.flow.blind_cone, 0.08);
+    EXPECT_EQ(with("flow.blind_cone", "0.08").pipeline.flow.focus_exclusion, 0.08);
     EXPECT_EQ(with("motion.geometry", "block").pipeline.motion.geometry, Geometry::Block);
-    EXPECT_EQ(with("motion.motion_model", "yaw").pipeline.motion.model, MotionModel::Yaw);
+    EXPECT_EQ(with("motion.motion_model", "yaw").pipeline.motion.model, motion::MotionModel::Yaw);
     EXPECT_EQ(with("motion.travel_m", "0.1").pipeline.rate.travel_m, 0.1);
     EXPECT_EQ(with("motion.gap_max_s", "1").pipeline.rate.gap_max_s, 1.0);
     EXPECT_EQ(with("motion.carry_max_s", "0.5").pipeline.rate.carry_max_s, 0.5);
@@ -218,4 +218,4 @@ TEST(Config, ARobotWithoutRoomInTheLocalMapIsRefused) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::config

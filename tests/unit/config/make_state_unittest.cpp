@@ -9,7 +9,7 @@
 #include "flownav/flow/lk_matcher.h"
 #include "flownav/testing/scene.h"
 
-namespace flownav {
+namespace flownav::config {
 namespace {
 
 Config with_matcher(const std::string& name) {
@@ -67,7 +67,7 @@ TEST(MakeState, TheKeySelectsTheMatcherAndBothMeasureTheTurn) {
     const Outcome sad = drive_through(make_state(with_matcher("sad")), drive);
     const Outcome lk = drive_through(make_state(with_matcher("lk")), drive);
     EXPECT_TRUE(same(sad, drive_through(pipeline::State(pipeline::Params{}), drive)));
-    EXPECT_TRUE(same(lk, drive_through({pipeline::Params{}, LkMatcher{}}, drive)));
+    EXPECT_TRUE(same(lk, drive_through({pipeline::Params{}, flow::LkMatcher{}}, drive)));
     EXPECT_FALSE(same(sad, lk));
     for (const Outcome& outcome : {sad, lk}) {
         EXPECT_EQ(outcome.ok, drive.scene.images() - 1);
@@ -77,9 +77,9 @@ TEST(MakeState, TheKeySelectsTheMatcherAndBothMeasureTheTurn) {
 
 TEST(MakeState, APipelineThatIsToldLkButNotGivenItSaysSo) {
     pipeline::Params params;
-    params.flow.matcher = MatcherKind::Lk;
+    params.flow.matcher = flow::MatcherKind::Lk;
     EXPECT_THROW(pipeline::State{params}, std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::config

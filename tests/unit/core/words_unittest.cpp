@@ -19,8 +19,8 @@ TEST(Words, EveryStatusHasItsOwn) {
 
 TEST(Words, EveryFateHasItsOwn) {
     std::set<std::string> words;
-    for (int i = 0; i <= static_cast<int>(BlockFate::Unjudged); ++i)
-        words.insert(to_string(static_cast<BlockFate>(i)));
+    for (int i = 0; i <= static_cast<int>(BlockLabel::Unjudged); ++i)
+        words.insert(to_string(static_cast<BlockLabel>(i)));
     EXPECT_EQ(words.size(), 8U);
     EXPECT_EQ(words.count("unknown"), 0U);
 }

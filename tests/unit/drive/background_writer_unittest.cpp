@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace flownav {
+namespace flownav::drive {
 namespace {
 
 TEST(BackgroundWriter, DoesItsJobsInTheirOrder) {
@@ -61,4 +61,4 @@ TEST(BackgroundWriter, WhatWaitsIsDoneBeforeItGoes) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::drive

@@ -7,7 +7,7 @@
 
 #include "producer_samples.h"
 
-namespace flownav {
+namespace flownav::drive {
 namespace {
 
 using namespace flownav::testing;
@@ -15,7 +15,7 @@ using namespace flownav::testing;
 constexpr double rate_hz = 50.0;
 
 /// Three images of a folder, 20 ms apart.
-ProducerSettings three_images() {
+io::ProducerSettings three_images() {
     const auto folder = producer_folder();
     write_images(folder, noise_images(3));
     return producer_settings("grabber_type = image_dir\nimage_dir_url = " + folder.string() +
@@ -56,7 +56,7 @@ TEST(CameraThread, WhatIsThrownInTheThreadEndsTheFeedAndIsTold) {
 }
 
 TEST(CameraThread, GoesAtOnceThoughTheRecordingIsLong) {
-    ProducerSettings settings = three_images();
+    io::ProducerSettings settings = three_images();
     settings.rate_hz = 0.001;  // the second image comes after a quarter of an hour
     const SteadyClock clock;
     const double began_s = clock.now_s();
@@ -65,4 +65,4 @@ TEST(CameraThread, GoesAtOnceThoughTheRecordingIsLong) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::drive

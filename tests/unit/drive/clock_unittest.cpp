@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace flownav {
+namespace flownav::drive {
 namespace {
 
 TEST(SteadyClock, ShowsTheTimeOfTheSystemAndRises) {
@@ -28,4 +28,4 @@ TEST(SteadyClock, TheAgeOfAStampIsTheSameByBothClocks) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::drive

@@ -6,7 +6,7 @@
 #include "flownav/io/output_file.h"
 #include "temporary_folder.h"
 
-namespace flownav {
+namespace flownav::drive {
 namespace {
 
 using testing::bytes_of;
@@ -35,8 +35,8 @@ TEST(DriveRecorder, WritesFieldsAndPosesThatCanBeReadAgain) {
     }
     recorder.complete();
     EXPECT_EQ(recorder.fields_left_out(), 0);
-    RawlogReader reader(folder / "run.rawlog");
-    FieldSource source(reader, {});
+    io::RawlogReader reader(folder / "run.rawlog");
+    io::FieldSource source(reader, {});
     while (source.next()) {
         // All of them.
     }
@@ -48,7 +48,7 @@ TEST(DriveRecorder, WritesFieldsAndPosesThatCanBeReadAgain) {
 TEST(DriveRecorder, AFullDiskIsToldWhenTheDriveIsOver) {
     DriveRecorder recorder({"/dev/full", {}, true});
     for (int i = 0; i < 100; ++i) recorder.on_field(field_at(1000.0 + i), {});
-    EXPECT_THROW(recorder.complete(), OutputError);
+    EXPECT_THROW(recorder.complete(), io::OutputError);
 }
 
 TEST(DriveRecorder, ARowWithoutTruthLeavesItsCellsEmpty) {
@@ -65,4 +65,4 @@ TEST(DriveRecorder, ARowWithoutTruthLeavesItsCellsEmpty) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::drive

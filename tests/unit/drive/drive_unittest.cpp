@@ -9,7 +9,7 @@
 
 #include "flownav/sim/vehicle.h"
 
-namespace flownav {
+namespace flownav::drive {
 namespace {
 
 using Eigen::Vector2d;
@@ -64,19 +64,19 @@ class FreeGround : public SensorFeed {
   public:
     explicit FreeGround(const VirtualClock& clock) : clock_(clock) {}
 
-    std::vector<nav::Sensed> arrived() override {
+    std::vector<nav::SensorUpdate> arrived() override {
         if (clock_.now_s() < next_s_ || clock_.now_s() > blind_at_s) return {};
         next_s_ = clock_.now_s() + 0.1;
-        nav::Sensed sensed;
-        sensed.by_camera = false;
-        sensed.report.timestamp_s = clock_.now_s();
+        nav::SensorUpdate update;
+        update.by_camera = false;
+        update.report.timestamp_s = clock_.now_s();
         if (clock_.now_s() > future_at_s) {
-            sensed.report.timestamp_s += 1000.0;
+            update.report.timestamp_s += 1000.0;
             future_at_s = 1e9;
         }
-        sensed.report.end_of_cycle = true;
-        sensed.ground.push_back({{-1.0, 0.0}, {5.0, 0.0}, 4.0});
-        return {sensed};
+        update.report.end_of_cycle = true;
+        update.ground.push_back({{-1.0, 0.0}, {5.0, 0.0}, 4.0});
+        return {update};
     }
     std::string end() override { return clock_.now_s() > ends_at_s ? "the camera was unplugged" : ""; }
 
@@ -154,7 +154,7 @@ TEST_F(RobotDrive, ALostBaseEndsTheDriveAndIsStillToldToStop) {
 TEST_F(RobotDrive, AFeedThatThrowsEndsTheDriveAndTheRobotStops) {
     class Broken : public SensorFeed {
       public:
-        std::vector<nav::Sensed> arrived() override { throw std::runtime_error("out of memory"); }
+        std::vector<nav::SensorUpdate> arrived() override { throw std::runtime_error("out of memory"); }
         std::string end() override { return ""; }
     } broken;
     const DriveResult result = run(broken);
@@ -229,7 +229,7 @@ class HungFeed : public SensorFeed {
   public:
     explicit HungFeed(IdealBase& base) : stopped_(base.first_stop()) {}
 
-    std::vector<nav::Sensed> arrived() override {
+    std::vector<nav::SensorUpdate> arrived() override {
         woken_ = stopped_.wait_for(std::chrono::seconds(60)) == std::future_status::ready;
         return {};
     }
@@ -247,4 +247,4 @@ TEST_F(RobotDrive, TheWatchdogStopsARobotWhoseProgramHangs) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::drive

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace flownav {
+namespace flownav::drive {
 namespace {
 
 using Eigen::Vector2d;
@@ -114,4 +114,4 @@ TEST(SimulatedDrive, ANavigatorThatDrivesStraightAtAPostIsStopped) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::drive

@@ -5,7 +5,7 @@
 #include "flownav/pipeline/pipeline.h"
 #include "flownav/testing/scene.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 namespace {
 
 constexpr double deg = M_PI / 180;
@@ -80,4 +80,4 @@ TEST(CameraCheck, WithoutADriveNothingIsDetermined) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::evaluation

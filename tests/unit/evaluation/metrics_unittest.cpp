@@ -6,7 +6,7 @@
 
 #include "step_samples.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 namespace {
 
 constexpr int fields = 101;
@@ -158,4 +158,4 @@ TEST(PoseTrack, AlignedBeginsWithItsOwnFirstSampleWhenItBeginsLater) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::evaluation

@@ -12,7 +12,7 @@
 #include "rawlog_files.h"
 #include "step_samples.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 namespace {
 
 using testing::content;
@@ -21,29 +21,29 @@ using testing::test_folder;
 std::string failure(const std::function<void()>& action) {
     try {
         action();
-    } catch (const OutputError& error) {
+    } catch (const io::OutputError& error) {
         return error.what();
     }
     return "nothing was thrown";
 }
 
 TEST(NumberText, HasFixedDecimalsAndNoNegativeZero) {
-    EXPECT_EQ(fixed_text(1.5, 3), "1.500");
-    EXPECT_EQ(fixed_text(-0.0004, 3), "0.000");
-    EXPECT_EQ(fixed_text(-0.0, 0), "0");
-    EXPECT_EQ(fixed_text(-10.0, 0), "-10");
-    EXPECT_EQ(time_text(1767225600.04), "1767225600.040000");
+    EXPECT_EQ(cli::fixed_text(1.5, 3), "1.500");
+    EXPECT_EQ(cli::fixed_text(-0.0004, 3), "0.000");
+    EXPECT_EQ(cli::fixed_text(-0.0, 0), "0");
+    EXPECT_EQ(cli::fixed_text(-10.0, 0), "-10");
+    EXPECT_EQ(cli::time_text(1767225600.04), "1767225600.040000");
 }
 
 TEST(NumberText, WhatIsNotFiniteIsEmpty) {
-    EXPECT_EQ(fixed_text(std::numeric_limits<double>::quiet_NaN(), 3), "");
-    EXPECT_EQ(fixed_text(std::numeric_limits<double>::infinity(), 3), "");
-    EXPECT_EQ(fixed_text(std::numeric_limits<double>::max(), 0).size(), 309U);
+    EXPECT_EQ(cli::fixed_text(std::numeric_limits<double>::quiet_NaN(), 3), "");
+    EXPECT_EQ(cli::fixed_text(std::numeric_limits<double>::infinity(), 3), "");
+    EXPECT_EQ(cli::fixed_text(std::numeric_limits<double>::max(), 0).size(), 309U);
 }
 
 TEST(OutputFile, FullDiskIsAnErrorThatNamesTheFileAndTheReason) {
     const std::string message = failure([] {
-        OutputFile file("/dev/full");
+        io::OutputFile file("/dev/full");
         file.write("text");
         file.close();
     });
@@ -52,7 +52,7 @@ TEST(OutputFile, FullDiskIsAnErrorThatNamesTheFileAndTheReason) {
 
 TEST(OutputFile, FullDiskIsNoticedAtTheLatestWhenAGzFileIsClosed) {
     const std::string message = failure([] {
-        GzOutputFile file("/dev/full");
+        io::GzOutputFile file("/dev/full");
         file.Write("text", 4);
         file.close();
     });
@@ -66,31 +66,31 @@ TEST(OutputFile, FullDiskIsNoticedWhileALongGzFileIsWritten) {
         for (char& c : bytes) c = static_cast<char>((state = state * 1664525U + 1013904223U) >> 24U);
         return bytes;
     }();
-    GzOutputFile file("/dev/full");
-    EXPECT_THROW(file.Write(noise.data(), noise.size()), OutputError);
+    io::GzOutputFile file("/dev/full");
+    EXPECT_THROW(file.Write(noise.data(), noise.size()), io::OutputError);
 }
 
 TEST(OutputFile, MissingFolderIsAnError) {
     const auto folder = test_folder();
-    const std::string message = failure([&] { OutputFile file(folder / "none" / "file"); });
+    const std::string message = failure([&] { io::OutputFile file(folder / "none" / "file"); });
     EXPECT_EQ(message, "cannot write " + (folder / "none" / "file").string() + ": No such file or directory");
 }
 
 TEST(OutputFile, FolderThatCannotBeMadeIsAnError) {
     const auto folder = test_folder();
-    write_file(folder / "file", "");
-    EXPECT_NE(failure([&] { make_output_folder(folder / "file" / "below"); }).find("Not a directory"),
+    io::write_file(folder / "file", "");
+    EXPECT_NE(failure([&] { io::make_output_folder(folder / "file" / "below"); }).find("Not a directory"),
               std::string::npos);
-    EXPECT_NE(failure([&] { make_output_folder(folder / "file"); }).find((folder / "file").string()),
+    EXPECT_NE(failure([&] { io::make_output_folder(folder / "file"); }).find((folder / "file").string()),
               std::string::npos);
-    make_output_folder(folder / "new" / "deep");
+    io::make_output_folder(folder / "new" / "deep");
     EXPECT_TRUE(std::filesystem::is_directory(folder / "new" / "deep"));
 }
 
 TEST(OutputFile, GzFilesOfTheSameContentHaveTheSameBytes) {
     const auto folder = test_folder();
     for (const char* name : {"a", "b"}) {
-        GzOutputFile file(folder / name);
+        io::GzOutputFile file(folder / name);
         file.Write("content", 7);
         file.close();
     }
@@ -148,4 +148,4 @@ TEST(ObstaclesCsv, HasARowForEachPoint) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::evaluation

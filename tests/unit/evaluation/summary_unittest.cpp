@@ -6,7 +6,7 @@
 
 #include "step_samples.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 namespace {
 
 using testing::sample_drive;
@@ -19,7 +19,7 @@ TEST(Summary, HoldsCountsErrorsConfigurationAndOneTimingObject) {
     Timing timing;
     timing.total_s = 2.0;
     timing.fields.resize(100);
-    const auto json = nlohmann::json::parse(summary_json(drive, Config{}, timing));
+    const auto json = nlohmann::json::parse(summary_json(drive, config::Config{}, timing));
     EXPECT_EQ(json["input"]["file"], "sample.rawlog");
     EXPECT_EQ(json["input"]["end"], "clean");
     EXPECT_EQ(json["rejected"]["time_repeated"], 2);
@@ -37,7 +37,7 @@ TEST(Summary, HoldsCountsErrorsConfigurationAndOneTimingObject) {
 TEST(Summary, WhatCouldNotBeComputedIsNull) {
     Drive drive = sample_drive(3);
     drive.odometry_errors.reset();
-    const auto json = nlohmann::json::parse(summary_json(drive, Config{}, {}));
+    const auto json = nlohmann::json::parse(summary_json(drive, config::Config{}, {}));
     EXPECT_TRUE(json["errors"]["odometry"].is_null());
     EXPECT_TRUE(json["errors"]["ground_truth"]["omega_rms_degps"].is_null());
 }
@@ -45,8 +45,8 @@ TEST(Summary, WhatCouldNotBeComputedIsNull) {
 TEST(Summary, OnlyTheTimingDependsOnTheRun) {
     const Timing slow = {{1.0, 2.0, 3.0, 4.0, 5.0}, {{1000.0, {1.0, 2.0}}}, 16.0, 1, "portable"};
     const Timing fast = {{0.1, 0.2, 0.3, 0.4, 0.5}, {}, 1.6, 8, "other"};
-    auto a = nlohmann::ordered_json::parse(summary_json(sample_drive(20), Config{}, slow));
-    auto b = nlohmann::ordered_json::parse(summary_json(sample_drive(20), Config{}, fast));
+    auto a = nlohmann::ordered_json::parse(summary_json(sample_drive(20), config::Config{}, slow));
+    auto b = nlohmann::ordered_json::parse(summary_json(sample_drive(20), config::Config{}, fast));
     EXPECT_NE(a.dump(), b.dump());
     a.erase("timing");
     b.erase("timing");
@@ -56,8 +56,8 @@ TEST(Summary, OnlyTheTimingDependsOnTheRun) {
 TEST(Summary, AFileNameThatIsNoUtf8IsNoReasonToFail) {
     Drive drive = sample_drive(3);
     drive.input_name = "caf\xe9.rawlog";
-    EXPECT_NO_THROW(nlohmann::json::parse(summary_json(drive, Config{}, {})));
+    EXPECT_NO_THROW(nlohmann::json::parse(summary_json(drive, config::Config{}, {})));
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::evaluation

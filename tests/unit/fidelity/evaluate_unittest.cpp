@@ -81,7 +81,7 @@ TEST(RenderedScene, ComesBackFromItsCacheAndOnlyForTheSameScene) {
 }
 
 TEST(Variants, UnknownKeyIsAnError) {
-    EXPECT_THROW(config_of({"wrong", {{"flow.colour", "red"}}}), ConfigError);
+    EXPECT_THROW(config_of({"wrong", {{"flow.colour", "red"}}}), config::ConfigError);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST(Lidar, APointOfTheFloorIsSeenWhereItsRayMeetsTheFloor) {
 
 TEST(Lidar, OnlyWhatStandsInTheCoveredAreaWithinRangeIsAnObstacle) {
     const RayMapper mapper(testing::standard_camera());
-    const BlockLayout layout = place_blocks(mapper, {});
+    const flow::BlockLayout layout = flow::place_blocks(mapper, {});
     EXPECT_FALSE(lidar_view(pole_at(2.6, 0.7), mapper, layout, 8.0).cells_m.empty());
     EXPECT_TRUE(lidar_view(pole_at(2.6, 0.7), mapper, layout, 2.0).cells_m.empty()) << "too far";
     EXPECT_TRUE(lidar_view(pole_at(2.6, 9.0), mapper, layout, 20.0).cells_m.empty()) << "out of view";
@@ -59,7 +59,7 @@ TEST(Lidar, OnlyWhatStandsInTheCoveredAreaWithinRangeIsAnObstacle) {
 }
 
 TEST(Lidar, PointsAreRightNearReturnsAndCellsFoundNearPoints) {
-    Config config;
+    config::Config config;
     LidarJudge judge(testing::standard_camera(), config);
     judge.see(step_with({{2.8, 0.7, 0.5}, {5.0, 0.7, 0.5}}), pole_at(2.6, 0.7), {});
     EXPECT_EQ(judge.result().points_near.hits, 1);
@@ -69,7 +69,7 @@ TEST(Lidar, PointsAreRightNearReturnsAndCellsFoundNearPoints) {
 }
 
 TEST(Lidar, PointsOfTheLastSecondCountWhereTheRobotHasLeftThem) {
-    LidarJudge judge(testing::standard_camera(), Config{});
+    LidarJudge judge(testing::standard_camera(), config::Config{});
     judge.see(step_with({{5.6, 0.7, 0.5}}), {}, {});
     pipeline::Step later;
     later.timestamp_s = 0.5;
@@ -88,7 +88,7 @@ TEST(Lidar, ConnectedCellsAreOneThing) {
         for (const double y_m : {0.7, 1.1})
             for (const Vector3d& at_m : pole_at(x_m, y_m)) box_m.push_back(at_m);
     }
-    LidarJudge judge(testing::standard_camera(), Config{});
+    LidarJudge judge(testing::standard_camera(), config::Config{});
     judge.see(step_with({{2.4, 0.7, 0.5}}), box_m, {});
     EXPECT_EQ(judge.result().things_found.all, 1);
     EXPECT_EQ(judge.result().things_found.hits, 1);

@@ -8,7 +8,7 @@
 #include "flownav/flow/matcher.h"
 #include "guarded_memory.h"
 
-namespace flownav {
+namespace flownav::flow {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -112,4 +112,4 @@ TEST(WholePx, WhatNoIntegerHoldsIsFarAway) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::flow

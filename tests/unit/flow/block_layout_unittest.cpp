@@ -8,7 +8,7 @@
 #include "flownav/flow/kernel.h"
 #include "flownav/testing/camera.h"
 
-namespace flownav {
+namespace flownav::flow {
 namespace {
 
 const CameraModel camera = testing::standard_camera();
@@ -93,4 +93,4 @@ TEST(BlockLayout, IsTheSameEveryTime) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::flow

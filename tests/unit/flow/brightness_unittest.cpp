@@ -7,7 +7,7 @@
 #include "flownav/flow/matcher.h"
 #include "flownav/testing/scene.h"
 
-namespace flownav {
+namespace flownav::flow {
 namespace {
 
 using testing::GreyImage;
@@ -107,7 +107,8 @@ TEST(GreyTable, IsClampedAtBlackAndWhite) {
 }
 
 TEST(GreyTable, IsRightToHalfAGreyLevel) {
-    for (const Brightness& b : {Brightness{1.0, 0.3}, {1.37, -20.0}, {0.61, 90.7}, {2.0, -140.0}, {0.5, 0.0}}) {
+    for (const Brightness& b :
+         {Brightness{1.0, 0.3}, {1.37, -20.0}, {0.61, 90.7}, {2.0, -140.0}, {0.5, 0.0}}) {
         const GreyTable table = grey_table(b);
         for (std::size_t grey = 0; grey < table.size(); ++grey) {
             const double exact = std::clamp(b.gain * static_cast<double>(grey) + b.offset, 0.0, 255.0);
@@ -129,4 +130,4 @@ TEST(GreyTable, NoChangeIsTheIdentity) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::flow

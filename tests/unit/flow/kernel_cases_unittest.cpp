@@ -8,7 +8,7 @@
 #include "flownav/flow/kernel.h"
 #include "guarded_memory.h"
 
-namespace flownav {
+namespace flownav::flow {
 
 void PrintTo(const KernelEntry& kernel, std::ostream* out) {
     *out << kernel.name;
@@ -145,4 +145,4 @@ TEST(DefaultKernel, IsTheOneOfTheEnvironment) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::flow

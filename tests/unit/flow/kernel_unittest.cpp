@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <random>
 
-namespace flownav {
+namespace flownav::flow {
 namespace {
 
 constexpr int window_px = 32;
@@ -144,4 +144,4 @@ TEST(Kernel, UnknownNameIsAnErrorThatNamesTheKnownOnes) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::flow

@@ -7,7 +7,7 @@
 
 #include "flownav/testing/scene.h"
 
-namespace flownav {
+namespace flownav::flow {
 namespace {
 
 using Eigen::Vector2d;
@@ -165,4 +165,4 @@ TEST(LkMatcher, NoBlocksGiveNoVectors) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::flow

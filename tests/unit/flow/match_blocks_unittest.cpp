@@ -6,7 +6,7 @@
 
 #include "flownav/testing/scene.h"
 
-namespace flownav {
+namespace flownav::flow {
 namespace {
 
 struct Pair {
@@ -118,4 +118,4 @@ TEST(MatchBlocks, BiasShiftsTheWindow) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::flow

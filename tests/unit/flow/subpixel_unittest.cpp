@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace flownav {
+namespace flownav::flow {
 namespace {
 
 TEST(Subpixel, VFitFindsTheTipOfAV) {
@@ -77,4 +77,4 @@ TEST(Confidence, AConstantBlockIsWorthNothing) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::flow

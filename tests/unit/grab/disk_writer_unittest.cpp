@@ -108,7 +108,8 @@ TEST(DiskWriter, ADiskThatFailsIsReportedWithWhatWasLost) {
 }
 
 TEST(DiskWriter, AFolderThatIsNotThereIsAnErrorAtOnce) {
-    EXPECT_THROW(DiskWriter({testing::grab_test_folder() / "none" / "f", 0, false, 1}, plenty), OutputError);
+    EXPECT_THROW(DiskWriter({testing::grab_test_folder() / "none" / "f", 0, false, 1}, plenty),
+                 io::OutputError);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST_F(GrabberOf, ASensorThatFailsEndsItAndAllOfItIsThere) {
     EXPECT_FALSE(result.hanging);
     ASSERT_EQ(result.messages.size(), 1U);
     EXPECT_EQ(result.messages[0], "sensor X: nothing more to say");
-    RawlogReader reader(folder / "f.rawlog");
+    io::RawlogReader reader(folder / "f.rawlog");
     int count = 0;
     while (const auto observation = reader.next()) {
         const auto comment = std::dynamic_pointer_cast<mrpt::obs::CObservationComment>(observation);
@@ -72,7 +72,7 @@ TEST_F(GrabberOf, ASensorThatFailsEndsItAndAllOfItIsThere) {
         EXPECT_EQ(comment->text, std::to_string(++count));
     }
     EXPECT_EQ(count, 25);
-    EXPECT_EQ(reader.end().kind, ReadEnd::Kind::Clean);
+    EXPECT_EQ(reader.end().kind, io::ReadEnd::Kind::Clean);
 }
 
 TEST_F(GrabberOf, WhatADriverMissesIsAUsageErrorThatNamesTheSection) {

@@ -136,7 +136,7 @@ TEST_F(RecordingOf, AFullDiskLeavesTheWholeMembersBefore) {
             recording.flush();
             expected.append(object.begin(), object.end());
         }
-    } catch (const OutputError& error) {
+    } catch (const io::OutputError& error) {
         EXPECT_NE(std::string(error.what()).find(file.string() + ": File too large"), std::string::npos)
             << error.what();
     }
@@ -149,7 +149,7 @@ TEST_F(RecordingOf, ADeviceWithoutSpaceIsAnErrorThatNamesIt) {
     try {
         const Recording recording({"/dev/full", 0, false, 1});
         FAIL() << "nobody noticed";
-    } catch (const OutputError& error) {
+    } catch (const io::OutputError& error) {
         EXPECT_STREQ(error.what(), "cannot write /dev/full: No space left on device");
     }
 }

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 TEST(BoundedQueue, HandsOverEverythingInOrderThenEnds) {
@@ -68,4 +68,4 @@ TEST(BoundedQueue, AConsumerThatStopsFreesAWaitingProducer) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::io

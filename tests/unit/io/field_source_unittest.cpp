@@ -11,7 +11,7 @@
 
 #include "rawlog_files.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 using namespace flownav::testing;
@@ -25,7 +25,7 @@ struct SourceResult {
     ReadEnd end;
 };
 
-SourceResult read_file(const std::filesystem::path& file, const CameraConfig& camera = {}) {
+SourceResult read_file(const std::filesystem::path& file, const config::CameraConfig& camera = {}) {
     RawlogReader reader(file);
     FieldSource source(reader, camera);
     SourceResult result;
@@ -41,16 +41,16 @@ SourceResult read_file(const std::filesystem::path& file, const CameraConfig& ca
     return result;
 }
 
-SourceResult read(const Objects& objects, const CameraConfig& camera = {}) {
+SourceResult read(const Objects& objects, const config::CameraConfig& camera = {}) {
     const auto file = test_folder() / "input.rawlog";
     write_bytes(file, gz(serialized(objects)));
     return read_file(file, camera);
 }
 
-std::string config_error(const Objects& objects, const CameraConfig& camera = {}) {
+std::string config_error(const Objects& objects, const config::CameraConfig& camera = {}) {
     try {
         read(objects, camera);
-    } catch (const ConfigError& e) {
+    } catch (const config::ConfigError& e) {
         return e.what();
     }
     return "";
@@ -103,7 +103,7 @@ TEST(FieldSource, TakesCalibrationAndPoseFromTheImage) {
 }
 
 TEST(FieldSource, IniOverridesTheRecording) {
-    CameraConfig config;
+    config::CameraConfig config;
     config.fx_px = 70;
     config.cy_px = 20;
     config.height_m = 0.8;
@@ -148,8 +148,8 @@ TEST(FieldSource, ColourBecomesGrey) {
 TEST(FieldSource, WovenFramesBecomeTwoFieldsHalfAPeriodApart) {
     Objects objects;
     for (int i = 0; i < 4; ++i) objects.push_back(image_at(10 + 0.04 * i, static_cast<unsigned>(i)));
-    CameraConfig config;
-    config.interlaced = Interlaced::TopFirst;
+    config::CameraConfig config;
+    config.interlaced = config::Interlaced::TopFirst;
     const auto result = read(objects, config);
     ASSERT_EQ(result.fields.size(), 8U);
     EXPECT_EQ(result.counts.images, 4U);
@@ -168,8 +168,8 @@ TEST(FieldSource, WovenFramesBecomeTwoFieldsHalfAPeriodApart) {
 
 TEST(FieldSource, BothFieldsSeeTheSameRaysAsTheWovenFrame) {
     const CameraModel frame = read({image_at(1)}).fields.at(0).camera;
-    CameraConfig config;
-    config.interlaced = Interlaced::BottomFirst;
+    config::CameraConfig config;
+    config.interlaced = config::Interlaced::BottomFirst;
     const auto fields = read({image_at(1), image_at(2)}, config).fields;
     const Eigen::Vector2d even = RayMapper(frame).ray({12, 20});
     const Eigen::Vector2d odd = RayMapper(frame).ray({12, 21});
@@ -180,8 +180,8 @@ TEST(FieldSource, BothFieldsSeeTheSameRaysAsTheWovenFrame) {
 TEST(FieldSource, SecondFieldStaysBetweenFramesWhenOneIsDroppedOrEarly) {
     Objects objects;
     for (const double t : {0.0, 0.04, 0.08, 0.20, 0.21, 0.25}) objects.push_back(image_at(10 + t));
-    CameraConfig config;
-    config.interlaced = Interlaced::TopFirst;
+    config::CameraConfig config;
+    config.interlaced = config::Interlaced::TopFirst;
     const auto fields = read(objects, config).fields;
     ASSERT_EQ(fields.size(), 12U);
     for (size_t i = 1; i < fields.size(); ++i) EXPECT_GT(fields[i].timestamp_s, fields[i - 1].timestamp_s);
@@ -264,7 +264,7 @@ TEST(FieldSource, ImageWithoutCalibrationIsFineWhenTheIniHasIt) {
     auto image = image_at(1);
     image->cameraParams = mrpt::img::TCamera();
     image->cameraPose = mrpt::poses::CPose3D();
-    CameraConfig config;
+    config::CameraConfig config;
     config.fx_px = config.fy_px = 55;
     config.cx_px = 31;
     config.cy_px = 23;
@@ -310,7 +310,7 @@ TEST(FieldSource, IntrinsicsThatAreNoPixelsAreErrorsThatAskForThem) {
 }
 
 TEST(FieldSource, IntrinsicsOfTheIniAreCheckedAgainstTheImageAsWell) {
-    CameraConfig config;
+    config::CameraConfig config;
     config.fx_px = config.fy_px = 2.4;
     expect_names(config_error({image_at(1)}, config), {"camera.fx_px", "2.4", "are these pixels?"});
 }
@@ -336,7 +336,7 @@ TEST(FieldSource, FisheyeLensIsAnErrorUnlessTheIniHasTheDistortion) {
     auto image = image_at(1);
     image->cameraParams.setDistortionKannalaBrandt(0.1, 0, 0, 0);
     expect_names(config_error({image}), {"camera.distortion", "kannala_brandt", "plumb_bob"});
-    CameraConfig config;
+    config::CameraConfig config;
     config.distortion = std::array<double, 5>{};
     EXPECT_EQ(read({image}, config).fields.size(), 1U);
 }
@@ -401,4 +401,4 @@ TEST(FieldSource, EverythingBeforeACutIsHandedOut) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::io

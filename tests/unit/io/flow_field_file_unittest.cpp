@@ -7,7 +7,7 @@
 #include "rawlog_files.h"
 #include "step_samples.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 using testing::content;
@@ -62,4 +62,4 @@ TEST(FlowFieldFile, AFullDiskIsAnErrorThatNamesTheFile) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::io

@@ -62,11 +62,11 @@ pipeline::Step finished_cycle() {
     s.motion = {next(), next(), next(), next(), next(), next(), true, false, 300, 20};
     s.T_start_robot = {next(), next(), next()};
     s.counts = {350, 320, 301, 21, 200, 15, 7, 3, 2};
-    for (const BlockFate fate :
-         {BlockFate::Unplaced, BlockFate::Sifted, BlockFate::Eliminated, BlockFate::Ground,
-          BlockFate::Obstacle, BlockFate::Moving, BlockFate::Unsupported, BlockFate::Unjudged}) {
+    for (const BlockLabel label :
+         {BlockLabel::Unplaced, BlockLabel::Sifted, BlockLabel::Eliminated, BlockLabel::Ground,
+          BlockLabel::Obstacle, BlockLabel::Moving, BlockLabel::Unsupported, BlockLabel::Unjudged}) {
         s.blocks.push_back(block(next, static_cast<int>(s.blocks.size())));
-        s.blocks.back().fate = fate;
+        s.blocks.back().label = label;
     }
     s.obstacles = {{{next(), next(), next()}, next(), next.pair(), false},
                    {{next(), next(), next()}, next(), next.pair(), true}};
@@ -127,7 +127,7 @@ void expect_equal(const pipeline::BlockRecord& a, const pipeline::BlockRecord& b
     EXPECT_EQ(a.ray.flow, b.ray.flow);
     EXPECT_EQ(a.ray.sigma, b.ray.sigma);
     EXPECT_EQ(a.image_of_cycle, b.image_of_cycle);
-    EXPECT_EQ(a.fate, b.fate);
+    EXPECT_EQ(a.label, b.label);
     EXPECT_EQ(a.in_ground_window, b.in_ground_window);
     EXPECT_EQ(a.fresh, b.fresh);
     EXPECT_EQ(a.omega_rad, b.omega_rad);

@@ -4,7 +4,7 @@
 /// Hand-made flow fields, in which no two numbers are alike.
 namespace flownav::testing {
 
-/// A finished cycle with every fate and every kind of beam.
+/// A finished cycle with every label and every kind of beam.
 CObservationFlowField::Ptr rich_flow_field();
 
 /// The first field of a drive: nothing in it yet.

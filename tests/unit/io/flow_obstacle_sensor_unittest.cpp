@@ -17,7 +17,7 @@
 #include "flownav/testing/write_scene.h"
 #include "producer_samples.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 using namespace flownav::testing;
@@ -108,10 +108,10 @@ Grab grab_with(const std::string& lines) {
 
 /// The steps of a rawlog as flownav-replay makes them.
 std::vector<pipeline::Step> replayed(const fs::path& file) {
-    const Config config;
+    const config::Config config;
     RawlogReader reader(file);
     FieldSource source(reader, config.camera);
-    pipeline::State state = make_state(config);
+    pipeline::State state = config::make_state(config);
     std::vector<pipeline::Step> steps;
     while (const auto event = source.next()) {
         if (const auto* field = std::get_if<Field>(&*event)) steps.push_back(pipeline::step(state, *field));
@@ -136,7 +136,7 @@ TEST(FlowObstacleSensor, GivesTheNumbersOfAReplay) {
         EXPECT_EQ(odometry[i]->velocityLocal, expected->velocityLocal);
         if (!steps[i].end_of_cycle) continue;
         ASSERT_LT(cycle, scans.size());
-        const auto scan = scan_observation(steps[i], Config{}.pipeline.obstacles.range_max_m);
+        const auto scan = scan_observation(steps[i], config::Config{}.pipeline.obstacles.range_max_m);
         ASSERT_EQ(scans[cycle]->getScanSize(), scan->getScanSize());
         for (std::size_t beam = 0; beam < scan->getScanSize(); ++beam) {
             EXPECT_EQ(scans[cycle]->getScanRange(beam), scan->getScanRange(beam));
@@ -313,4 +313,4 @@ TEST(FlowObstacleSensor, IsMadeByTheNameOfItsDriver) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::io

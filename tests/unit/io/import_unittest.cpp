@@ -14,7 +14,7 @@
 #include "flownav/io/video_file.h"
 #include "rawlog_files.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,8 +33,8 @@ void write_picture(const fs::path& file, int offset) {
     cv::imwrite(file.string(), picture(offset));
 }
 
-CameraConfig small_camera() {
-    CameraConfig camera;
+config::CameraConfig small_camera() {
+    config::CameraConfig camera;
     camera.fx_px = camera.fy_px = 60;
     camera.cx_px = 31.5;
     camera.cy_px = 23.5;
@@ -73,7 +73,7 @@ Recorded read_back(const fs::path& file) {
     return result;
 }
 
-Recorded import(ImageSequence& sequence, Interlaced interlaced = Interlaced::None) {
+Recorded import(ImageSequence& sequence, config::Interlaced interlaced = config::Interlaced::None) {
     RecordingOptions options;
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     options.output = fs::path(::testing::TempDir()) / "flownav_replay_input" / test->test_suite_name() /
@@ -289,13 +289,13 @@ TEST(ImageFolder, FolderWithoutImagesIsNamed) {
 TEST(ImageFolder, MissingCalibrationNamesTheKeysAndLeavesNothing) {
     const auto folder = test_folder();
     write_picture(folder / "a.png", 1);
-    ImageFolder sequence(folder, CameraConfig{}, {});
+    ImageFolder sequence(folder, config::CameraConfig{}, {});
     RecordingOptions options;
     options.output = folder / "out.rawlog";
     try {
         write_recording(sequence, options);
         FAIL() << "no calibration was given";
-    } catch (const ConfigError& e) {
+    } catch (const config::ConfigError& e) {
         expect_names(e.what(), {"camera.fx_px", "camera.height_m", "camera.pitch_deg"});
     }
     EXPECT_FALSE(fs::exists(folder / "out.rawlog"));
@@ -306,7 +306,7 @@ TEST(WriteRecording, WovenFramesAreWrittenAsFields) {
     const auto folder = test_folder();
     for (int i = 0; i < 3; ++i) write_picture(folder / (std::to_string(i) + ".png"), i);
     ImageFolder sequence(folder, small_camera(), {{}, 25.0});
-    const auto fields = import(sequence, Interlaced::BottomFirst).fields;
+    const auto fields = import(sequence, config::Interlaced::BottomFirst).fields;
     ASSERT_EQ(fields.size(), 6U);
     for (std::size_t i = 0; i < 6; ++i)
         EXPECT_NEAR(fields[i].timestamp_s, 0.02 * static_cast<double>(i), 1e-6);
@@ -395,4 +395,4 @@ TEST(VideoFile, WhatIsNoVideoIsNamed) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::io

@@ -8,7 +8,7 @@
 
 #include "producer_samples.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 using namespace flownav::testing;
@@ -218,4 +218,4 @@ TEST(LiveFields, ThePoseOfTheDriverSectionIsTheCameras) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::io

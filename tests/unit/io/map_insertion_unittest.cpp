@@ -6,7 +6,7 @@
 
 #include "flownav/io/observations.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 using mrpt::maps::COccupancyGridMap2D;
@@ -107,4 +107,4 @@ TEST(MapInsertion, ACycleThatSawNothingChangesNoMap) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::io

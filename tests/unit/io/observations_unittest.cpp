@@ -4,7 +4,7 @@
 #include <mrpt/core/Clock.h>
 #include <mrpt/maps/COccupancyGridMap2D.h>
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 /// Three beams: straight ahead free, to its left an obstacle, to its right nothing known.
@@ -105,4 +105,4 @@ TEST(Observations, OdometryOfALostFieldHasNoRates) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::io

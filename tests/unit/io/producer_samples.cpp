@@ -36,9 +36,9 @@ fs::path producer_folder() {
     return folder;
 }
 
-ProducerSettings producer_settings(const std::string& lines) {
+io::ProducerSettings producer_settings(const std::string& lines) {
     const mrpt::config::CConfigFileMemory ini("[FLOW]\ndriver = CFlowObstacleSensor\n" + lines);
-    return read_producer_settings(ini, "FLOW");
+    return io::read_producer_settings(ini, "FLOW");
 }
 
 std::vector<cv::Mat> noise_images(int count) {
@@ -67,7 +67,7 @@ void write_images(const fs::path& folder, const std::vector<cv::Mat>& images) {
     }
 }
 
-std::vector<Field> all_fields(LiveFields& live) {
+std::vector<Field> all_fields(io::LiveFields& live) {
     std::vector<Field> fields;
     while (const auto event = live.next()) {
         if (const auto* field = std::get_if<Field>(&*event)) fields.push_back(*field);
@@ -82,10 +82,10 @@ std::string reason_not_to_open(const std::string& lines) {
         drivers_are_unloaded;  // and their leaks then have no name to suppress them by
 #endif
     try {
-        LiveFields live(producer_settings(lines));
-    } catch (const InputError& error) {
+        io::LiveFields live(producer_settings(lines));
+    } catch (const io::InputError& error) {
         return error.what();
-    } catch (const ConfigError& error) {
+    } catch (const config::ConfigError& error) {
         return error.what();
     }
     return "it was opened";

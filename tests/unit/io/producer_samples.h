@@ -15,7 +15,7 @@ namespace flownav::testing {
 std::filesystem::path producer_folder();
 
 /// Settings from the lines of a section [FLOW]; throws what read_producer_settings() throws.
-ProducerSettings producer_settings(const std::string& lines);
+io::ProducerSettings producer_settings(const std::string& lines);
 
 /// Enough of a calibration for any image.
 extern const std::string calibration_lines;
@@ -30,7 +30,7 @@ void write_video(const std::filesystem::path& file, const std::vector<cv::Mat>& 
 void write_images(const std::filesystem::path& folder, const std::vector<cv::Mat>& images);
 
 /// All fields of a source, until its end.
-std::vector<Field> all_fields(LiveFields& live);
+std::vector<Field> all_fields(io::LiveFields& live);
 
 /// What LiveFields says about a source that it cannot open.
 std::string reason_not_to_open(const std::string& lines);

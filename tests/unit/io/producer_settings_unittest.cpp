@@ -6,7 +6,7 @@
 
 #include "producer_samples.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 using namespace flownav::testing;
@@ -16,7 +16,7 @@ const std::string rawlog_lines = "grabber_type = rawlog\nrawlog_file = drive.raw
 std::string complaint(const std::string& lines) {
     try {
         producer_settings(lines);
-    } catch (const ConfigError& error) {
+    } catch (const config::ConfigError& error) {
         return error.what();
     }
     return "no complaint";
@@ -120,11 +120,11 @@ TEST(ProducerSettings, TheSectionOfAFileIsFoundByItsDriver) {
                        << rawlog_lines;
     EXPECT_EQ(read_producer_settings(ini.string()).section, "FRONT");
     std::ofstream(ini, std::ios::app) << "[REAR]\ndriver = CFlowObstacleSensor\n" << rawlog_lines;
-    EXPECT_THROW(read_producer_settings(ini.string()), ConfigError);
+    EXPECT_THROW(read_producer_settings(ini.string()), config::ConfigError);
     EXPECT_EQ(read_producer_settings(ini.string(), "REAR").section, "REAR");
-    EXPECT_THROW(read_producer_settings(ini.string(), "LEFT"), ConfigError);
-    EXPECT_THROW(read_producer_settings(ini.string() + ".none"), ConfigError);
+    EXPECT_THROW(read_producer_settings(ini.string(), "LEFT"), config::ConfigError);
+    EXPECT_THROW(read_producer_settings(ini.string() + ".none"), config::ConfigError);
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::io

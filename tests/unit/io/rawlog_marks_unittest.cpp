@@ -10,7 +10,7 @@
 #include "flownav/io/rawlog_reader.h"
 #include "rawlog_files.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 using namespace flownav::testing;
@@ -101,8 +101,8 @@ TEST(RawlogMarks, DamageIsFoundAgainFromEveryMark) {
 TEST(RawlogMarks, ACopiedSourceGoesOnFromAMark) {
     const auto file = file_of(gz(serialized(small_recording())));
     RawlogReader reader(file);
-    CameraConfig camera;
-    camera.interlaced = Interlaced::TopFirst;  // its second fields wait for the next frame
+    config::CameraConfig camera;
+    camera.interlaced = config::Interlaced::TopFirst;  // its second fields wait for the next frame
     FieldSource source(reader, camera);
     for (int i = 0; i < 7; ++i) source.next();
     const Mark mark = reader.mark();
@@ -141,4 +141,4 @@ TEST(RawlogMarks, AReaderAtTheEndOfAGrowingFileGoesOn) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::io

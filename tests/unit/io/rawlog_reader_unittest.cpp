@@ -10,7 +10,7 @@
 
 #include "rawlog_files.h"
 
-namespace flownav {
+namespace flownav::io {
 namespace {
 
 using namespace flownav::testing;
@@ -306,4 +306,4 @@ TEST(RawlogReader, SampleRawlogsOfMrptReadToTheirEnd) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::io

@@ -10,7 +10,7 @@
 #include "../support/temporary_folder.h"
 #include "obstacle_sets.h"
 
-namespace flownav {
+namespace flownav::mapping {
 namespace {
 
 using mrpt::maps::COccupancyGridMap2D;
@@ -19,7 +19,7 @@ using testing::occupancy;
 
 /// Something occupied at (1.25, 0.45), free floor at y = -0.65, unknown elsewhere.
 COccupancyGridMap2D sample_grid() {
-    DriveMap map({});
+    GlobalMap map({});
     for (int i = 0; i < 6; ++i)
         map.insert({0.0, {}, {testing::point_at(1.25, 0.45)}, {{{0.55, -0.65}, {1.45, -0.65}}}});
     return map.grid();
@@ -127,4 +127,4 @@ TEST(ExportMap, EveryFileThatCannotBeWrittenIsNamed) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::mapping

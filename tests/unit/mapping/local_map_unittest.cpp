@@ -4,7 +4,7 @@
 
 #include "obstacle_sets.h"
 
-namespace flownav {
+namespace flownav::mapping {
 namespace {
 
 using Eigen::Vector2d;
@@ -110,4 +110,4 @@ TEST(LocalMap, AThinLegOnTheCornerOfFourCellsIsNotOutvotedByTheFloorBesideIt) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::mapping

@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-#include "flownav/mapping/fusion.h"
+#include "flownav/mapping/global_map.h"
 
 namespace flownav::testing {
 
@@ -14,7 +14,8 @@ inline ObstaclePoint point_at(double x_m, double y_m, double sigma_m = 0.01) {
 }
 
 /// What a robot at T_map_robot sees of a thing that stands at (x, y) of the MAP.
-inline ObstacleSet set_seeing(double x_m, double y_m, const Pose2& T_map_robot, double timestamp_s = 0.0) {
+inline mapping::ObstacleSet set_seeing(double x_m, double y_m, const Pose2& T_map_robot,
+                                       double timestamp_s = 0.0) {
     const Eigen::Vector2d p = transform(inverse(T_map_robot), {x_m, y_m});
     return {timestamp_s, T_map_robot, {point_at(p.x(), p.y())}, {}};
 }

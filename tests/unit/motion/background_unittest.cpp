@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace flownav {
+namespace flownav::motion {
 namespace {
 
 using Eigen::Vector2d;
@@ -53,4 +53,4 @@ TEST(Background, OfNothingIsZero) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::motion

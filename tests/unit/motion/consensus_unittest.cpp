@@ -6,7 +6,7 @@
 
 #include "flownav/testing/random.h"
 
-namespace flownav {
+namespace flownav::motion {
 namespace {
 
 using Eigen::Vector2d;
@@ -17,8 +17,8 @@ constexpr int per_cell = 4;
 
 /// The equation of a vector at `at` that is exactly right for `turn`: what a unit turn and a unit pitch move
 /// there, in deviations of 0.3 px.
-MotionScratch::Across row_of(const Vector2d& at, const Turn& turn) {
-    MotionScratch::Across row;
+MotionScratch::RotationEquation row_of(const Vector2d& at, const RotationHypothesis& turn) {
+    MotionScratch::RotationEquation row;
     row.at = at;
     row.turn = 1600.0 * (1.0 + 0.3 * at.y());
     row.pitch = 1600.0 * (0.2 + at.x());
@@ -37,7 +37,7 @@ MotionScratch scratch_with(TurnAt turn_at) {
             for (int i = 0; i < per_cell; ++i) {
                 const Vector2d in_cell(i % 2 == 0 ? 0.01 : 0.99, i < 2 ? 0.01 : 0.99);
                 const Vector2d at((column + in_cell.x()) / columns - 0.5, (line + in_cell.y()) / lines - 0.5);
-                scratch.across.push_back(row_of(at, turn_at(column)));
+                scratch.rotation_equations.push_back(row_of(at, turn_at(column)));
             }
         }
     }
@@ -55,25 +55,25 @@ Consensus consensus_of(MotionScratch scratch, const MotionPrediction& prediction
                        MotionModel model = MotionModel::YawPitch, double background_rad = 0.0) {
     MotionParams params;
     params.model = model;
-    prepare_votes(scratch);
+    prepare_inlier_counts(scratch);
     return find_consensus(scratch, background_rad, prediction, params);
 }
 
 void make_wild(MotionScratch& scratch, double share, std::uint64_t seed) {
     testing::Random random(seed);
-    for (auto& row : scratch.across)
+    for (auto& row : scratch.rotation_equations)
         if (random.uniform(0, 1) < share) row.measured += random.uniform(-60.0, 60.0);
 }
 
 void add_noise(MotionScratch& scratch, std::uint64_t seed) {
     testing::Random random(seed);
-    for (auto& row : scratch.across) row.measured += random.normal(1.0);
+    for (auto& row : scratch.rotation_equations) row.measured += random.normal(1.0);
 }
 
 TEST(Consensus, FindsTurnsToEitherSideAndPitchesUpAndDownAmongWildVectors) {
     for (const double omega_rad : {0.05, -0.05}) {
         for (const double pitch_rad : {0.02, -0.02}) {
-            const Turn truth{omega_rad, pitch_rad};
+            const RotationHypothesis truth{omega_rad, pitch_rad};
             MotionScratch scratch = scratch_with([&](int) { return truth; });
             make_wild(scratch, 0.35, 11);
             const Consensus found = consensus_of(scratch, predicted(0.0));
@@ -87,7 +87,9 @@ TEST(Consensus, FindsTurnsToEitherSideAndPitchesUpAndDownAmongWildVectors) {
 
 TEST(Consensus, StandsNearTheTruthWhenVectorsAreNoisy) {
     for (const double side : {1.0, -1.0}) {
-        MotionScratch scratch = scratch_with([&](int) { return Turn{0.05 * side, -0.01 * side}; });
+        MotionScratch scratch = scratch_with([&](int) {
+            return RotationHypothesis{0.05 * side, -0.01 * side};
+        });
         add_noise(scratch, 12);
         make_wild(scratch, 0.3, 13);
         const Consensus found = consensus_of(scratch, predicted(0.0));
@@ -98,7 +100,7 @@ TEST(Consensus, StandsNearTheTruthWhenVectorsAreNoisy) {
 
 TEST(Consensus, WithoutPitchInTheModelItIsATurnAlone) {
     for (const double omega_rad : {0.05, -0.05}) {
-        MotionScratch scratch = scratch_with([&](int) { return Turn{omega_rad, 0.0}; });
+        MotionScratch scratch = scratch_with([&](int) { return RotationHypothesis{omega_rad, 0.0}; });
         make_wild(scratch, 0.35, 14);
         MotionPrediction prediction = predicted(0.0);
         prediction.pitch_rad = 0.03;
@@ -110,10 +112,10 @@ TEST(Consensus, WithoutPitchInTheModelItIsATurnAlone) {
 
 TEST(Consensus, WhatFillsMoreOfTheImageWinsOverMoreVectorsOnOneThing) {
     for (const double side : {1.0, -1.0}) {
-        MotionScratch scratch = scratch_with([&](int) { return Turn{0.03 * side, 0.0}; });
+        MotionScratch scratch = scratch_with([&](int) { return RotationHypothesis{0.03 * side, 0.0}; });
         for (int i = 0; i < 600; ++i) {  // three times as many, all in the cells of one corner
             const Vector2d at(-0.45 + 0.2 * (i % 25) / 25.0, -0.45 + 0.2 * std::floor(i / 25.0) / 24.0);
-            scratch.across.push_back(row_of(at, {-0.04 * side, 0.0}));
+            scratch.rotation_equations.push_back(row_of(at, {-0.04 * side, 0.0}));
         }
         const Consensus found = consensus_of(scratch, predicted(0.0));
         EXPECT_NEAR(found.turn.omega_rad, 0.03 * side, 1e-9);
@@ -122,14 +124,14 @@ TEST(Consensus, WhatFillsMoreOfTheImageWinsOverMoreVectorsOnOneThing) {
 
 TEST(Consensus, TheTurnAsPredictedWinsAgainstUpToTwiceItsSupport) {
     for (const double side : {1.0, -1.0}) {
-        const Turn continued{0.03 * side, 0.0};
-        const Turn other{-0.05 * side, 0.0};
+        const RotationHypothesis continued{0.03 * side, 0.0};
+        const RotationHypothesis other{-0.05 * side, 0.0};
         for (const int columns_continued : {2, 3}) {  // 12 cells of 48, and 18
             const MotionScratch scratch =
                 scratch_with([&](int column) { return column < columns_continued ? continued : other; });
             const Consensus found = consensus_of(scratch, predicted(continued.omega_rad));
             EXPECT_EQ(found.as_predicted, columns_continued == 3);
-            const Turn& expected = columns_continued == 3 ? continued : other;
+            const RotationHypothesis& expected = columns_continued == 3 ? continued : other;
             EXPECT_NEAR(found.turn.omega_rad, expected.omega_rad, 1e-9);
             EXPECT_EQ(found.support.cells, lines * (found.as_predicted ? 3 : 6));
         }
@@ -150,12 +152,12 @@ TEST(Consensus, OfNoVectorsItIsThePredictionWithoutSupport) {
 }
 
 TEST(Consensus, VectorsThatStandAloneInTheirCellsSupportNothing) {
-    const Turn truth{0.05, 0.0};
+    const RotationHypothesis truth{0.05, 0.0};
     MotionScratch scratch;
-    scratch.across = {row_of({-0.5, -0.5}, truth), row_of({0.5, 0.5}, truth)};
+    scratch.rotation_equations = {row_of({-0.5, -0.5}, truth), row_of({0.5, 0.5}, truth)};
     EXPECT_TRUE(consensus_of(scratch, predicted(0.0)).as_predicted) << "nothing speaks against it";
-    prepare_votes(scratch);
-    const Support support = support_of(scratch.votes, truth, 1.0);
+    prepare_inlier_counts(scratch);
+    const Support support = support_of(scratch.inlier_counts, truth, 1.0);
     EXPECT_EQ(support.vectors, 2);
     EXPECT_EQ(support.cells, 0);
     EXPECT_EQ(support.all_cells, 0);
@@ -173,11 +175,11 @@ TEST(Consensus, AVectorAgreesWithinItsErrorOrTheMethodsAndWithinLambda) {
                           {2.5, 0.5, false}}) {  // 1.25 px
         for (const double sign : {1.0, -1.0}) {
             MotionScratch scratch;
-            scratch.across = {row_of({0.1, 0.1}, {0.02, 0.01})};
-            scratch.across[0].deviation_px = c.deviation_px;
-            scratch.across[0].measured += sign * c.deviations;
-            prepare_votes(scratch);
-            EXPECT_EQ(support_of(scratch.votes, {0.02, 0.01}, 1.0).vectors, c.agrees ? 1 : 0)
+            scratch.rotation_equations = {row_of({0.1, 0.1}, {0.02, 0.01})};
+            scratch.rotation_equations[0].deviation_px = c.deviation_px;
+            scratch.rotation_equations[0].measured += sign * c.deviations;
+            prepare_inlier_counts(scratch);
+            EXPECT_EQ(support_of(scratch.inlier_counts, {0.02, 0.01}, 1.0).vectors, c.agrees ? 1 : 0)
                 << c.deviations << " deviations of " << c.deviation_px << " px";
         }
     }
@@ -185,11 +187,11 @@ TEST(Consensus, AVectorAgreesWithinItsErrorOrTheMethodsAndWithinLambda) {
 
 TEST(Consensus, ACellAgreesWhenMostOfItsVectorsDo) {
     for (const int agreeing : {1, 2, 3}) {
-        MotionScratch scratch = scratch_with([](int) { return Turn{0.02, 0.0}; });
-        for (std::size_t i = 0; i < scratch.across.size(); ++i)
-            if (static_cast<int>(i) % per_cell >= agreeing) scratch.across[i].measured += 50.0;
-        prepare_votes(scratch);
-        const Support support = support_of(scratch.votes, {0.02, 0.0}, 1.0);
+        MotionScratch scratch = scratch_with([](int) { return RotationHypothesis{0.02, 0.0}; });
+        for (std::size_t i = 0; i < scratch.rotation_equations.size(); ++i)
+            if (static_cast<int>(i) % per_cell >= agreeing) scratch.rotation_equations[i].measured += 50.0;
+        prepare_inlier_counts(scratch);
+        const Support support = support_of(scratch.inlier_counts, {0.02, 0.0}, 1.0);
         EXPECT_EQ(support.all_cells, columns * lines);
         EXPECT_EQ(support.vectors, agreeing * columns * lines);
         EXPECT_EQ(support.cells, agreeing > 2 ? columns * lines : 0) << agreeing << " of 4";
@@ -203,4 +205,4 @@ TEST(Consensus, APredictionWithHalfOfAllCellsCannotLoseAgainstAnotherMotion) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::motion

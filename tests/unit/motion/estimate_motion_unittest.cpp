@@ -8,7 +8,7 @@
 #include "flownav/testing/camera.h"
 #include "flownav/testing/scene.h"
 
-namespace flownav {
+namespace flownav::motion {
 namespace {
 
 using testing::degree;
@@ -209,4 +209,4 @@ TEST(OmegaOf, GivesTheTurnOfASingleVector) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::motion

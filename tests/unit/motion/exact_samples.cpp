@@ -14,7 +14,7 @@ Pair drive(const CameraModel& camera, double v_mps, double omega_degps, double i
 
 std::vector<FlowVector> exact_vectors(const Pair& pair) {
     std::vector<FlowVector> vectors;
-    for (const Eigen::Vector2d& at_px : place_blocks(RayMapper(pair.from.camera), {}).centre_px) {
+    for (const Eigen::Vector2d& at_px : flow::place_blocks(RayMapper(pair.from.camera), {}).centre_px) {
         const auto truth = exact_flow(pair.world, pair.from, pair.to, at_px);
         if (!truth || !truth->inside || truth->occluded) continue;
         vectors.push_back({at_px, truth->flow_px, {0.3, 0.3}, 1.0, true});
@@ -22,24 +22,25 @@ std::vector<FlowVector> exact_vectors(const Pair& pair) {
     return vectors;
 }
 
-std::vector<MotionSample> samples_of(const Pair& pair, const std::vector<FlowVector>& vectors,
-                                     Geometry geometry) {
+std::vector<motion::MotionSample> samples_of(const Pair& pair, const std::vector<FlowVector>& vectors,
+                                             Geometry geometry) {
     const RayMapper from(pair.from.camera);
     const RayMapper to(pair.to.camera);
-    std::vector<MotionSample> samples;
+    std::vector<motion::MotionSample> samples;
     samples.reserve(vectors.size());
     for (const FlowVector& v : vectors)
-        samples.push_back({ray_flow(v, from, to, geometry), in_ground_window(v.at_px, pair.from.camera)});
+        samples.push_back(
+            {motion::ray_flow(v, from, to, geometry), in_ground_window(v.at_px, pair.from.camera)});
     return samples;
 }
 
-MotionEstimate estimate(const Pair& pair, const std::vector<MotionSample>& samples,
-                        const MotionParams& params) {
-    MotionPrediction rough;
+motion::MotionEstimate estimate(const Pair& pair, const std::vector<motion::MotionSample>& samples,
+                                const motion::MotionParams& params) {
+    motion::MotionPrediction rough;
     rough.omega_rad = 0.8 * pair.truth.omega_rad;
     rough.forward_m = 0.8 * pair.truth.forward_m;
-    MotionScratch scratch;
-    return estimate_motion(samples, pair.from.camera, rough, params, scratch);
+    motion::MotionScratch scratch;
+    return motion::estimate_motion(samples, pair.from.camera, rough, params, scratch);
 }
 
 }  // namespace flownav::testing

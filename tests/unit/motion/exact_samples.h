@@ -26,15 +26,16 @@ Pair drive(const CameraModel& camera, double v_mps, double omega_degps, double i
 std::vector<FlowVector> exact_vectors(const Pair& pair);
 
 /// The vectors as the ego-motion takes them.
-std::vector<MotionSample> samples_of(const Pair& pair, const std::vector<FlowVector>& vectors,
-                                     Geometry geometry = Geometry::MidPoint);
+std::vector<motion::MotionSample> samples_of(const Pair& pair, const std::vector<FlowVector>& vectors,
+                                             Geometry geometry = Geometry::MidPoint);
 
-inline std::vector<MotionSample> exact_samples(const Pair& pair, Geometry geometry = Geometry::MidPoint) {
+inline std::vector<motion::MotionSample> exact_samples(const Pair& pair,
+                                                       Geometry geometry = Geometry::MidPoint) {
     return samples_of(pair, exact_vectors(pair), geometry);
 }
 
 /// estimate_motion() with the camera of the pair and a rough prediction, as the cycle before would give it.
-MotionEstimate estimate(const Pair& pair, const std::vector<MotionSample>& samples,
-                        const MotionParams& params = {});
+motion::MotionEstimate estimate(const Pair& pair, const std::vector<motion::MotionSample>& samples,
+                                const motion::MotionParams& params = {});
 
 }  // namespace flownav::testing

@@ -8,7 +8,7 @@
 #include "flownav/testing/camera.h"
 #include "flownav/testing/scene.h"
 
-namespace flownav {
+namespace flownav::motion {
 namespace {
 
 using testing::degree;
@@ -120,7 +120,7 @@ TEST(PoseError, TheDeviationIsThatOfTheErrors) {
         std::vector<FlowVector> noisy = testing::exact_vectors(pair);
         for (FlowVector& v : noisy) v.flow_px += Eigen::Vector2d(random.normal(0.3), random.normal(0.3));
         const PoseCorrection found =
-            solve(only(fit(pair, noisy, pair.from.camera.mount).equations, {true, false, false}));
+            solve(select(fit(pair, noisy, pair.from.camera.mount).equations, {true, false, false}));
         pulls2 += std::pow(found.correction_rad[0] / found.sigma_rad[0], 2) / runs;
     }
     EXPECT_NEAR(std::sqrt(pulls2), 1.0, 0.35);
@@ -157,4 +157,4 @@ TEST(PoseError, TheModelIsExactForFiniteMotionAndACameraOffTheAxis) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::motion

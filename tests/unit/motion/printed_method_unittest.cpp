@@ -6,7 +6,7 @@
 #include "exact_samples.h"
 #include "flownav/testing/camera.h"
 
-namespace flownav {
+namespace flownav::motion {
 namespace {
 
 using testing::degree;
@@ -49,4 +49,4 @@ TEST(PrintedMethod, AtTheMidPointNoneOfThisIsLeft) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::motion

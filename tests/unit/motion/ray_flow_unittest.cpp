@@ -5,7 +5,7 @@
 #include "exact_samples.h"
 #include "flownav/testing/camera.h"
 
-namespace flownav {
+namespace flownav::motion {
 namespace {
 
 using Eigen::Vector2d;
@@ -88,4 +88,4 @@ TEST(PredictedGroundFlow, KnowsThePitch) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::motion

@@ -6,7 +6,7 @@
 
 #include "flownav/testing/random.h"
 
-namespace flownav {
+namespace flownav::motion {
 namespace {
 
 double shorth_of(std::vector<double> values) {
@@ -64,4 +64,4 @@ TEST(Biweight, TrustsSmallResidualsAndIgnoresLargeOnes) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::motion

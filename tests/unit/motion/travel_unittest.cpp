@@ -7,7 +7,7 @@
 #include "flownav/testing/camera.h"
 #include "flownav/testing/random.h"
 
-namespace flownav {
+namespace flownav::motion {
 namespace {
 
 using Eigen::Vector2d;
@@ -196,4 +196,4 @@ TEST(FitTravel, ItsDeviationIsThatOfItsErrors) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::motion

@@ -59,7 +59,7 @@ TEST(GroundMemory, GroundThatIsSeenFreeIsNoObstacleAnyMore) {
 TEST(GroundMemory, WhereTheRobotStandsNothingElseDoes) {
     GroundMemory memory{GroundMemoryParams{}};
     memory.note(map_with({0.05, 0.05}, 0.1F), 0.0, here);
-    memory.drive_over({{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}}, 1.0, here);
+    memory.mark_traversed({{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}}, 1.0, here);
     EXPECT_EQ(memory.at(Vector2d(0.05, 0.05), 1.0), Ground::Driven);
 }
 

@@ -98,7 +98,7 @@ class Drive {
     MotionCommand wish{0.4, 0.0};
     std::vector<Eigen::Vector2d> walls_m;
     float elsewhere = 0.9F;
-    Verdict verdict;
+    SafetyDecision safety;
 
   private:
     void tick(const std::function<void(Tick&)>& change) {
@@ -114,8 +114,8 @@ class Drive {
         if (now.field) guard.sensed(now.report);
         if (now.map != nullptr) guard.mapped(*now.map, now.time_s, robot.pose());
         if (now.proposal_comes) guard.proposed(now.time_s, now.proposal);
-        verdict = guard.judge(now.time_s, robot.pose(), robot.motion());
-        robot.command(now.time_s, verdict.command);
+        safety = guard.check(now.time_s, robot.pose(), robot.motion());
+        robot.command(now.time_s, safety.command);
         robot.advance(now.time_s + 0.02);
         ++ticks_;
     }

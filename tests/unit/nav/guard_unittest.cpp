@@ -52,7 +52,7 @@ Drive moving() {
     Drive drive;
     drive.go(3.0);
     EXPECT_NEAR(drive.robot.motion().v_mps, 0.4, 1e-9);
-    EXPECT_EQ(drive.verdict.action, GuardAction::Pass);
+    EXPECT_EQ(drive.safety.action, GuardAction::Pass);
     return drive;
 }
 
@@ -60,14 +60,14 @@ void expect_stop_and_resume(const std::function<void(Tick&)>& fault, GuardReason
     Drive drive = moving();
     const Halt stop = halt(drive, fault);
     const RobotModel& robot = drive.model;
-    EXPECT_EQ(drive.verdict.action, GuardAction::Stop);
-    EXPECT_EQ(drive.verdict.reason, reason) << drive.verdict.why;
+    EXPECT_EQ(drive.safety.action, GuardAction::Stop);
+    EXPECT_EQ(drive.safety.reason, reason) << drive.safety.why;
     EXPECT_LE(stop.time_s, reaction_s + robot.delay_s + 0.4 / robot.brake_mps2 + 2 * tick_s);
     EXPECT_EQ(drive.guard.events().back().reason, reason);
     EXPECT_FALSE(drive.guard.events().back().why.empty());
     drive.go(3.0, fault);
     drive.go(12.0);
-    EXPECT_EQ(drive.verdict.action, GuardAction::Pass) << drive.verdict.why;
+    EXPECT_EQ(drive.safety.action, GuardAction::Pass) << drive.safety.why;
     EXPECT_NEAR(drive.robot.motion().v_mps, 0.4, 1e-9);
 }
 
@@ -78,9 +78,9 @@ TEST(Guard, OverSeenGroundEveryCommandPasses) {
                                       MotionCommand{-0.1, -0.5}, MotionCommand{0.0, 0.9}}) {
         drive.wish = wish;
         drive.go(1.0);
-        EXPECT_EQ(drive.verdict.action, GuardAction::Pass) << drive.verdict.why;
-        EXPECT_EQ(drive.verdict.command.v_mps, wish.v_mps);
-        EXPECT_EQ(drive.verdict.command.omega_radps, wish.omega_radps);
+        EXPECT_EQ(drive.safety.action, GuardAction::Pass) << drive.safety.why;
+        EXPECT_EQ(drive.safety.command.v_mps, wish.v_mps);
+        EXPECT_EQ(drive.safety.command.omega_radps, wish.omega_radps);
     }
 }
 
@@ -88,15 +88,15 @@ TEST(Guard, CommandsBeyondTheRobotsLimitsAreCut) {
     Drive drive;
     drive.wish = {5.0, -7.0};
     drive.go(1.0);
-    EXPECT_EQ(drive.verdict.command.v_mps, drive.model.v_max_mps);
-    EXPECT_EQ(drive.verdict.command.omega_radps, -drive.model.omega_max_radps);
+    EXPECT_EQ(drive.safety.command.v_mps, drive.model.v_max_mps);
+    EXPECT_EQ(drive.safety.command.omega_radps, -drive.model.omega_max_radps);
 }
 
 TEST(Guard, WithoutAnyFieldTheRobotStays) {
     Drive drive;
     drive.go(1.0, [](Tick& tick) { tick.field = false; });
     EXPECT_EQ(drive.robot.pose().x_m, 0.0);
-    EXPECT_EQ(drive.verdict.reason, GuardReason::SensorStale);
+    EXPECT_EQ(drive.safety.reason, GuardReason::SensorStale);
 }
 
 TEST(Guard, StopsWhenFieldsStopComing) {
@@ -144,14 +144,14 @@ TEST(Guard, ACameraThatSendsEveryImageTwiceIsNotFrozen) {
     drive.go(3.0, [&](Tick& tick) {
         tick.report.repeated = again;
         again = !again;
-        EXPECT_EQ(drive.verdict.action, GuardAction::Pass) << drive.verdict.why;
+        EXPECT_EQ(drive.safety.action, GuardAction::Pass) << drive.safety.why;
     });
 }
 
 TEST(Guard, StopsWhenTheNavigatorHangs) {
     Drive drive = moving();
     const Halt stop = halt(drive, [](Tick& tick) { tick.proposal_comes = false; });
-    EXPECT_EQ(drive.verdict.reason, GuardReason::NavigatorSilent);
+    EXPECT_EQ(drive.safety.reason, GuardReason::NavigatorSilent);
     EXPECT_LE(stop.time_s, GuardParams().silent_s + 0.1 + 0.4 + 2 * tick_s);
     drive.go(1.5);
     EXPECT_NEAR(drive.robot.motion().v_mps, 0.4, 1e-9);
@@ -161,18 +161,18 @@ TEST(Guard, StopsWhenOmegaIsLostForLongerThanAMoment) {
     Drive drive = moving();
     const auto lost = [](Tick& tick) { tick.report.status = FieldStatus::Lost; };
     drive.go(0.1, lost);
-    EXPECT_EQ(drive.verdict.action, GuardAction::Pass);
+    EXPECT_EQ(drive.safety.action, GuardAction::Pass);
     drive.go(0.2, lost);
-    EXPECT_EQ(drive.verdict.reason, GuardReason::OmegaLost);
+    EXPECT_EQ(drive.safety.reason, GuardReason::OmegaLost);
     drive.go(3.0);
-    EXPECT_EQ(drive.verdict.action, GuardAction::Pass);
+    EXPECT_EQ(drive.safety.action, GuardAction::Pass);
 }
 
 TEST(Guard, StopsWhenTheWheelsTellAnotherSpeedThanTheFlow) {
     for (const double factor : {0.0, 0.5, 2.0}) {
         Drive drive = moving();
         drive.go(1.5, [&](Tick& tick) { tick.report.v_mps *= factor; });
-        EXPECT_EQ(drive.verdict.reason, GuardReason::OdometryContradiction) << factor;
+        EXPECT_EQ(drive.safety.reason, GuardReason::OdometryContradiction) << factor;
     }
 }
 
@@ -180,7 +180,7 @@ TEST(Guard, StopsWhenTheWheelsTellAnotherTurnThanTheFlow) {
     for (const double sign : {1.0, -1.0}) {
         Drive drive = moving();
         drive.go(1.0, [&](Tick& tick) { tick.report.omega_radps += 0.3 * sign; });
-        EXPECT_EQ(drive.verdict.reason, GuardReason::OdometryContradiction);
+        EXPECT_EQ(drive.safety.reason, GuardReason::OdometryContradiction);
     }
 }
 
@@ -191,7 +191,7 @@ TEST(Guard, SmallDifferencesOfFlowAndWheelsAreNoContradiction) {
     drive.go(10.0, [&](Tick& tick) {
         tick.report.v_mps *= ++tick_number % 20 < 10 ? 1.15 : 0.9;
         tick.report.omega_radps *= 1.05;
-        EXPECT_NE(drive.verdict.reason, GuardReason::OdometryContradiction) << drive.verdict.why;
+        EXPECT_NE(drive.safety.reason, GuardReason::OdometryContradiction) << drive.safety.why;
     });
 }
 
@@ -203,10 +203,10 @@ TEST(Guard, AJumpOfTheWheelsStopsTheRobotAtOnceAndForAWhile) {
         const std::function<void(Tick&)> fault =
             jump.yaw_rad != 0.0 ? std::function<void(Tick&)>(turned) : jumped;
         drive.go(tick_s, fault);
-        EXPECT_EQ(drive.verdict.action, GuardAction::Stop);
-        EXPECT_EQ(drive.verdict.reason, GuardReason::OdometryContradiction);
+        EXPECT_EQ(drive.safety.action, GuardAction::Stop);
+        EXPECT_EQ(drive.safety.reason, GuardReason::OdometryContradiction);
         drive.go(15.0, fault);
-        EXPECT_EQ(drive.verdict.action, GuardAction::Pass) << drive.verdict.why;
+        EXPECT_EQ(drive.safety.action, GuardAction::Pass) << drive.safety.why;
     }
 }
 
@@ -231,12 +231,12 @@ TEST(Guard, StandsBeforeAWallAndSaysSo) {
     Drive drive;
     build(drive, {2.0, -1.0}, {2.0, 1.0});
     drive.go(15.0);
-    EXPECT_EQ(drive.verdict.reason, GuardReason::ObstacleAhead);
+    EXPECT_EQ(drive.safety.reason, GuardReason::ObstacleAhead);
     EXPECT_GT(distance_to_walls_m(drive), 0.0);
     EXPECT_LT(distance_to_walls_m(drive), 0.12);  // and not farther than it must
     drive.wish = {-0.1, 0.0};
     drive.go(1.0);
-    EXPECT_EQ(drive.verdict.action, GuardAction::Pass) << drive.verdict.why;  // away from it
+    EXPECT_EQ(drive.safety.action, GuardAction::Pass) << drive.safety.why;  // away from it
 }
 
 TEST(Guard, TheSpeedBeforeAWallIsTheOneThatStopsInTime) {
@@ -260,11 +260,11 @@ TEST(Guard, SlowsBeforeGroundThatWasNeverSeen) {
     Drive drive;
     drive.elsewhere = 0.5F;
     drive.go(3.0);
-    EXPECT_EQ(drive.verdict.reason, GuardReason::UnseenAhead);
+    EXPECT_EQ(drive.safety.reason, GuardReason::UnseenAhead);
     EXPECT_GT(drive.robot.pose().x_m, 0.1);  // it has to move to see,
-    EXPECT_LE(drive.robot.motion().v_mps, GuardParams().foresight.crawl_mps + 1e-9);
+    EXPECT_LE(drive.robot.motion().v_mps, GuardParams().collision_checker.crawl_mps + 1e-9);
     drive.go(20.0);
-    EXPECT_EQ(drive.verdict.action, GuardAction::Stop);  // but not for ever
+    EXPECT_EQ(drive.safety.action, GuardAction::Stop);  // but not for ever
     EXPECT_LT(drive.robot.pose().x_m, GuardParams().crawl_max_m + 0.1);
     drive.wish = {-0.1, 0.0};
     drive.go(1.0);
@@ -297,7 +297,7 @@ TEST(Guard, TurnsInPlaceOnlyWhenTheCornersAreFree) {
         EXPECT_GT(before_m, 0.0);
         drive.go(3.0);
         EXPECT_GT(distance_to_walls_m(drive), 0.0);
-        EXPECT_EQ(drive.verdict.reason, GuardReason::ObstacleAhead);
+        EXPECT_EQ(drive.safety.reason, GuardReason::ObstacleAhead);
     }
 }
 
@@ -309,7 +309,7 @@ TEST(Guard, ARobotWithABlindSectorMayTurnAwayAfterStandingForAWhile) {
     EXPECT_TRUE(drive.robot.stands());
     drive.go(3.0, blank_wall);
     EXPECT_GT(drive.robot.motion().omega_radps, 0.1);
-    EXPECT_EQ(drive.verdict.reason, GuardReason::SensorBlind);
+    EXPECT_EQ(drive.safety.reason, GuardReason::SensorBlind);
     drive.wish = {0.3, 0.0};
     drive.go(2.0, blank_wall);
     EXPECT_TRUE(drive.robot.stands());

@@ -150,19 +150,19 @@ TEST(NavApp, ADriveThatSeesIsRecordedAndReplayedIntoItsReport) {
 }
 
 TEST(NavApp, TheScoreIsThatOfTheBenchmark) {
-    DriveResult result;
-    result.outcome = Outcome::Reached;
+    drive::DriveResult result;
+    result.outcome = drive::Outcome::Reached;
     const double path_m = 10.0;  // 5 s at best
     for (const auto& [time_s, score] : {std::pair{4.0, 0.5}, {10.0, 0.5}, {20.0, 0.25}, {90.0, 0.125}}) {
         result.time_s = time_s;
         EXPECT_NEAR(barn_score(result, path_m), score, 1e-9);
     }
-    result.outcome = Outcome::Collision;
+    result.outcome = drive::Outcome::Collision;
     EXPECT_EQ(barn_score(result, path_m), 0.0);
 }
 
 /// Records a drive, and keeps the obstacle points that the robot saw while it drove.
-struct Witness : DriveObserver {
+struct Witness : drive::DriveObserver {
     explicit Witness(const fs::path& file) : recording(file) {}
 
     void on_field(const Field& field, const pipeline::Step& step) override {
@@ -170,7 +170,7 @@ struct Witness : DriveObserver {
         for (const ObstaclePoint& point : step.obstacles) seen.push_back(point.position_m);
     }
 
-    DriveRecording recording;
+    io::DriveRecording recording;
     std::vector<Eigen::Vector3d> seen;
 };
 
@@ -192,7 +192,7 @@ std::vector<Eigen::Vector3d> points_of(const fs::path& csv) {
 }
 
 TEST(NavApp, TheRecordingOfADriveReplaysToTheObstaclesThatTheRobotSaw) {
-    SimulatedDriveOptions drive;
+    drive::SimulatedDriveOptions drive;
     drive.world = sim::generate_world(sim::WorldKind::Forest, 1);
     drive.start = drive.world.start;
     drive.goals_m = {*drive.world.goal};
@@ -205,13 +205,13 @@ TEST(NavApp, TheRecordingOfADriveReplaysToTheObstaclesThatTheRobotSaw) {
     camera.cy_px = 119.5;
     camera.mount.height_m = 0.5;
     camera.mount.pitch_rad = 0.35;
-    ReplayOptions replaying;
+    replay::ReplayOptions replaying;
     replaying.output = folder();
     replaying.input = replaying.output / "run.rawlog";
     Witness witness(replaying.input);
-    simulate_drive(drive, witness);
+    drive::simulate_drive(drive, witness);
     witness.recording.complete();
-    replay(replaying);
+    replay::replay(replaying);
     const auto replayed = points_of(replaying.output / "obstacles.csv");
     ASSERT_GT(witness.seen.size(), 50U);
     ASSERT_EQ(replayed.size(), witness.seen.size());

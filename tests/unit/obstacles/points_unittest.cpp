@@ -8,7 +8,7 @@
 #include "flownav/testing/camera.h"
 #include "flownav/testing/truth.h"
 
-namespace flownav {
+namespace flownav::obstacles {
 namespace {
 
 using Eigen::Vector2d;
@@ -48,26 +48,26 @@ struct SeenPoint {
     View from{shifted_camera(), {}, 0.0};
     Pose2 T_from_to;
     RayFlow ray;
-    Judgement judgement;
+    Classification classification;
 
     SeenPoint(const Vector3d& point_m, double turn_rad, double chord_m)
         : T_from_to(along_arc(turn_rad, chord_m)) {
         const View to{from.camera, T_from_to, 0.0};
         const Vector2d at_px = *testing::project(from, point_m);
         const RayMapper mapper(from.camera);
-        ray = ray_flow({at_px, *testing::project(to, point_m) - at_px, {0.1, 0.1}, 1.0, true}, mapper, mapper,
-                       Geometry::MidPoint);
+        ray = motion::ray_flow({at_px, *testing::project(to, point_m) - at_px, {0.1, 0.1}, 1.0, true}, mapper,
+                               mapper, Geometry::MidPoint);
         const EgoMotion motion = testing::exact_motion({}, T_from_to);
         const Derotation derotated(PlaneGeometry(from.camera.mount), motion.omega_rad, 0.0,
                                    Geometry::MidPoint);
-        judgement = judge(derotated(ray), {from.camera, motion, 1.0}, {});
+        classification = classify(derotated(ray), {from.camera, motion, 1.0}, {});
     }
 
     std::optional<ObstaclePoint> point(const ObstacleParams& params = {}, double sigma_travel = 0.0) const {
         const Pose2 T_from_mid =
             along_arc(T_from_to.yaw_rad / 2, std::hypot(T_from_to.x_m, T_from_to.y_m) / 2);
-        return obstacle_point(judgement, {1, 2}, compose(inverse(T_from_to), T_from_mid), from.camera.mount,
-                              sigma_travel, params);
+        return obstacle_point(classification, {1, 2}, compose(inverse(T_from_to), T_from_mid),
+                              from.camera.mount, sigma_travel, params);
     }
 };
 
@@ -114,7 +114,7 @@ TEST(ObstaclePoint, IsLeftOutWhenItsDepthIsWorthless) {
 TEST(ObstaclePoint, ItsDeviationCombinesVectorAndSpeed) {
     SeenPoint seen({2.0, 0.0, 0.3}, 0.0, 0.064);
     const double range_m = (Vector2d(2.0 - 0.032, 0.0)).norm();
-    seen.judgement.sigma = 0.03 * seen.judgement.inverse_depth;
+    seen.classification.sigma = 0.03 * seen.classification.inverse_depth;
     EXPECT_NEAR(seen.point({}, 0.04)->sigma_m, 0.05 * range_m, 0.002);
 }
 
@@ -152,4 +152,4 @@ TEST(GroundPatch, ThereIsNoneOverTheHorizonOrBeyondTheRange) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::obstacles

@@ -6,7 +6,7 @@
 
 #include "flownav/testing/camera.h"
 
-namespace flownav {
+namespace flownav::obstacles {
 namespace {
 
 using Eigen::Vector2d;
@@ -123,4 +123,4 @@ TEST(VirtualScan, WhatLiesOutsideTheViewIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::obstacles

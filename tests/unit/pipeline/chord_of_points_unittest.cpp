@@ -36,8 +36,8 @@ double off_m(const GroundPatch& patch, const Step& step, const CameraModel& came
     const RayMapper mapper(camera);
     double least_m = std::numeric_limits<double>::infinity();
     for (const pipeline::BlockRecord& block : step.blocks) {
-        if (block.fate != BlockFate::Ground) continue;
-        const auto expected = ground_patch(block.vector.at_px, mapper, T_end_reference, 100.0);
+        if (block.label != BlockLabel::Ground) continue;
+        const auto expected = obstacles::ground_patch(block.vector.at_px, mapper, T_end_reference, 100.0);
         if (expected) least_m = std::min(least_m, (expected->near_m - patch.near_m).norm());
     }
     return least_m;
@@ -88,7 +88,7 @@ TEST(BlockRecord, ASiftedVectorLeavesNoRay) {
     int sifted = 0;
     for (const Step& step : steps) {
         for (const pipeline::BlockRecord& block : step.blocks) {
-            if (block.fate != BlockFate::Sifted) continue;
+            if (block.label != BlockLabel::Sifted) continue;
             ++sifted;
             EXPECT_EQ(block.ray.flow.norm(), 0.0);
             EXPECT_EQ(block.ray.at.norm(), 0.0);

@@ -81,9 +81,9 @@ TEST(Cycles, CountsAreThoseOfTheBlocks) {
         pipeline::BlockCounts counts;
         for (const pipeline::BlockRecord& block : step.blocks) {
             counts.confident += block.fresh;
-            counts.ground += block.fate == BlockFate::Ground;
-            counts.obstacle += block.fate == BlockFate::Obstacle;
-            counts.eliminated += block.fate == BlockFate::Eliminated;
+            counts.ground += block.label == BlockLabel::Ground;
+            counts.obstacle += block.label == BlockLabel::Obstacle;
+            counts.eliminated += block.label == BlockLabel::Eliminated;
         }
         if (step.image_of_cycle == 0) continue;
         EXPECT_EQ(counts.confident, step.counts.confident);

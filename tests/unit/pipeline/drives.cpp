@@ -63,7 +63,7 @@ std::string fingerprint(const pipeline::Step& step) {
         << '\n';
     for (const pipeline::BlockRecord& b : step.blocks) {
         out << b.vector.at_px.transpose() << ' ' << b.vector.flow_px.transpose() << ' ' << b.excess_px << ' '
-            << to_string(b.fate) << '\n';
+            << to_string(b.label) << '\n';
     }
     for (const ObstaclePoint& p : step.obstacles)
         out << p.position_m.transpose() << ' ' << p.sigma_m << ' ' << p.at_px.transpose() << '\n';

@@ -71,8 +71,8 @@ TEST(Memory, InSteadyStateNothingIsAllocatedPerField) {
 }
 
 TEST(Memory, InSteadyStateTheLocalMapAllocatesNothing) {
-    LocalMap map({});
-    ObstacleSet set;
+    mapping::LocalMap map({});
+    mapping::ObstacleSet set;
     for (int i = 0; i < 40; ++i) {
         ObstaclePoint point;
         point.position_m = {1.0 + 0.05 * i, 0.1 * (i % 7) - 0.3, 0.2};

@@ -41,7 +41,7 @@ TEST(PitchOnline, DoesNotJumpOnTheFirstCycle) {
 TEST(PitchOnline, LearnsNothingFromAFloorThatCannotBeSeen) {
     PitchOnline pitch;
     const testing::Pair pair = testing::drive(testing::standard_camera(), 0.4, 5.0, images);
-    std::vector<MotionSample> few = testing::exact_samples(pair);
+    std::vector<motion::MotionSample> few = testing::exact_samples(pair);
     few.resize(20);
     CameraModel assumed = pair.from.camera;
     assumed.mount.pitch_rad += 0.5 * degree;

@@ -21,7 +21,7 @@ struct Motion {
     double forward_m = 0.0;
 };
 
-HeldField held(const testing::World& world, const View& view, const CameraModel& nominal) {
+ReferenceImage held(const testing::World& world, const View& view, const CameraModel& nominal) {
     auto image = std::make_shared<testing::GreyImage>(testing::render(world, view));
     return {{view.time_s, image->view(), nominal, image}, RayMapper(nominal)};
 }
@@ -30,7 +30,7 @@ HeldField held(const testing::World& world, const View& view, const CameraModel&
 class Fields {
   public:
     Fields(const CameraModel& camera, const Motion& motion, testing::Surface floor = testing::Surface::Carpet)
-        : matcher_(BlockMatcher(params_.flow, 1)) {
+        : matcher_(flow::BlockMatcher(params_.flow, 1)) {
         testing::World world;
         world.ground = {floor, 1.0, 5};
         View before{camera, {}, 0.0};
@@ -42,26 +42,26 @@ class Fields {
         after.camera.mount.pitch_rad -= motion.pitch_rad;
         reference_ = held(world, before, camera);
         newest_ = held(world, after, camera);
-        layout_ = every_nth(place_blocks(reference_.mapper, params_.flow), 3);
+        layout_ = flow::every_nth(flow::place_blocks(reference_.mapper, params_.flow), 3);
     }
 
-    MotionPrediction motion(const MotionPrediction& prediction = {}) {
+    motion::MotionPrediction motion(const motion::MotionPrediction& prediction = {}) {
         return search_motion(reference_, newest_, layout_, prediction, {params_, matcher_}, last_trial_);
     }
-    MotionPrediction travel(const MotionPrediction& known) {
+    motion::MotionPrediction travel(const motion::MotionPrediction& known) {
         return search_travel(reference_, newest_, layout_, known, {params_, matcher_}, last_trial_);
     }
     /// The motion that is found without a search, from the prediction alone.
-    MotionEstimate without_search(const MotionPrediction& prediction = {}) {
+    motion::MotionEstimate without_search(const motion::MotionPrediction& prediction = {}) {
         measure(reference_, newest_, layout_, prediction, {params_, matcher_}, last_trial_);
         return last_trial_.estimate;
     }
 
   private:
     Params params_;
-    Matcher matcher_;
-    HeldField reference_, newest_;
-    BlockLayout layout_;
+    flow::Matcher matcher_;
+    ReferenceImage reference_, newest_;
+    flow::BlockLayout layout_;
     Measurement last_trial_;
 };
 
@@ -74,7 +74,7 @@ CameraModel low_camera() {
     return camera;
 }
 
-void expect_found(const MotionPrediction& found, const Motion& truth, double tolerance_deg = 0.05) {
+void expect_found(const motion::MotionPrediction& found, const Motion& truth, double tolerance_deg = 0.05) {
     EXPECT_NEAR(found.omega_rad, truth.omega_rad, tolerance_deg * degree);
     EXPECT_NEAR(found.pitch_rad, truth.pitch_rad, tolerance_deg * degree);
     EXPECT_NEAR(found.forward_m, truth.forward_m, 0.002 + 0.02 * std::abs(truth.forward_m));
@@ -108,7 +108,7 @@ TEST(SearchMotion, FindsAPitchUpAndDown) {
 TEST(SearchMotion, FindsAPitchAboutATurnThatOnlyThePredictionKnows) {
     for (const double direction : {1.0, -1.0}) {
         const Motion truth{21.0 * degree, 1.2 * degree * direction, 0.016};  // 204 px, beyond all windows
-        MotionPrediction prediction;
+        motion::MotionPrediction prediction;
         prediction.omega_rad = truth.omega_rad;
         Fields fields(testing::standard_camera(), truth);
         EXPECT_GT(std::abs(fields.motion().omega_rad - truth.omega_rad), 1.0 * degree);
@@ -134,7 +134,7 @@ TEST(SearchMotion, FindsATurnWithFastTravel) {
 }
 
 TEST(SearchMotion, AWrongPredictionDoesNotDisturbIt) {
-    MotionPrediction wrong;
+    motion::MotionPrediction wrong;
     wrong.omega_rad = 5.0 * degree;
     wrong.forward_m = 0.2;
     const Motion truth{-4.0 * degree, 0.0, 0.03};
@@ -145,10 +145,10 @@ TEST(SearchTravel, FindsTravelBeyondTheWindowsForwardAndBackward) {
     for (const double forward_m : {0.04, 0.075, -0.025}) {  // 27 px, 50 px and 17 px at the lower border
         for (const double omega_rad : {0.0, 1.0 * degree, -1.0 * degree}) {
             Fields fields(low_camera(), {omega_rad, 0.0, forward_m});
-            MotionPrediction known;
+            motion::MotionPrediction known;
             known.omega_rad = omega_rad;
             EXPECT_FALSE(std::abs(fields.without_search(known).motion.forward_m - forward_m) < 0.005);
-            const MotionPrediction found = fields.travel(known);
+            const motion::MotionPrediction found = fields.travel(known);
             EXPECT_NEAR(found.forward_m, forward_m, 0.02 * std::abs(forward_m)) << omega_rad;
             EXPECT_EQ(found.omega_rad, omega_rad) << "the rotation is known";
             EXPECT_EQ(found.pitch_rad, 0.0);
@@ -158,10 +158,10 @@ TEST(SearchTravel, FindsTravelBeyondTheWindowsForwardAndBackward) {
 
 TEST(SearchTravel, OverAFloorWithoutTextureItIsWhatIsKnown) {
     for (const double forward_m : {0.05, -0.05}) {
-        MotionPrediction known;
+        motion::MotionPrediction known;
         known.omega_rad = 0.01;
         known.forward_m = forward_m;
-        const MotionPrediction found =
+        const motion::MotionPrediction found =
             Fields(low_camera(), {0.01, 0.0, 0.064}, testing::Surface::Plain).travel(known);
         EXPECT_EQ(found.forward_m, forward_m);
         EXPECT_EQ(found.omega_rad, 0.01);

@@ -41,8 +41,8 @@ Columns run_of(std::size_t fields, double points, double turn_radps = 0.1) {
     return run;
 }
 
-const ReportChart& chart(const std::vector<ReportChart>& charts, const std::string& id) {
-    for (const ReportChart& one : charts)
+const report::ReportChart& chart(const std::vector<report::ReportChart>& charts, const std::string& id) {
+    for (const report::ReportChart& one : charts)
         if (one.id == id) return one;
     throw std::out_of_range(id);
 }
@@ -65,41 +65,41 @@ TEST_F(DrivePair, CellsThatAreEmptyOrWordsAreNoNumbers) {
 
 TEST_F(DrivePair, CountsAreComparedAtTheEndsOfCycles) {
     const auto charts = paired_charts(run_of(7, 20.0), run_of(7, 15.0));
-    const ReportChart& obstacles = chart(charts, "obstacles");
+    const report::ReportChart& obstacles = chart(charts, "obstacles");
     ASSERT_EQ(obstacles.t_s.size(), 7U);
     for (const std::size_t end : {3U, 6U}) {
         EXPECT_EQ(obstacles.series[0].values[end], 20.0);
         EXPECT_EQ(obstacles.series[1].values[end], 15.0);
         EXPECT_EQ(obstacles.series[2].values[end], -5.0);
     }
-    EXPECT_EQ(obstacles.series[0].values[2], ReportSeries::none);
+    EXPECT_EQ(obstacles.series[0].values[2], report::ReportSeries::none);
 }
 
 TEST_F(DrivePair, WhatWasNotMeasuredInterruptsTheCurve) {
-    const ReportChart turn = chart(paired_charts(run_of(4, 1.0), run_of(4, 1.0)), "omega_radps");
-    EXPECT_EQ(turn.series[0].values[0], ReportSeries::gap);
+    const report::ReportChart turn = chart(paired_charts(run_of(4, 1.0), run_of(4, 1.0)), "omega_radps");
+    EXPECT_EQ(turn.series[0].values[0], report::ReportSeries::gap);
     EXPECT_NEAR(turn.series[0].values[1], 0.1 * 180.0 / M_PI, 1e-9);
-    EXPECT_EQ(turn.series[2].values[0], ReportSeries::none);
+    EXPECT_EQ(turn.series[2].values[0], report::ReportSeries::none);
 }
 
 TEST_F(DrivePair, RunsWithOtherTimesAreMerged) {
     Columns other = run_of(4, 1.0);
     for (double& t : other["timestamp"]) t += 0.02;
-    const ReportChart turn = chart(paired_charts(run_of(4, 1.0), other), "omega_radps");
+    const report::ReportChart turn = chart(paired_charts(run_of(4, 1.0), other), "omega_radps");
     ASSERT_EQ(turn.t_s.size(), 8U);
-    EXPECT_EQ(turn.series[1].values[2], ReportSeries::none);
-    EXPECT_NE(turn.series[0].values[2], ReportSeries::none);
-    for (const double difference : turn.series[2].values) EXPECT_EQ(difference, ReportSeries::none);
+    EXPECT_EQ(turn.series[1].values[2], report::ReportSeries::none);
+    EXPECT_NE(turn.series[0].values[2], report::ReportSeries::none);
+    for (const double difference : turn.series[2].values) EXPECT_EQ(difference, report::ReportSeries::none);
 }
 
 TEST_F(DrivePair, WhatACycleFoundHoldsUntilTheNextEnds) {
     Columns other = run_of(7, 15.0);
     for (double& t : other["timestamp"]) t += 0.04;  // its cycles end one field later
-    const ReportChart obstacles = chart(paired_charts(run_of(7, 20.0), other), "obstacles");
+    const report::ReportChart obstacles = chart(paired_charts(run_of(7, 20.0), other), "obstacles");
     ASSERT_EQ(obstacles.t_s.size(), 8U);
-    EXPECT_EQ(obstacles.series[2].values[3], ReportSeries::none) << "one is not known yet";
+    EXPECT_EQ(obstacles.series[2].values[3], report::ReportSeries::none) << "one is not known yet";
     EXPECT_EQ(obstacles.series[2].values[4], -5.0);
-    EXPECT_EQ(obstacles.series[2].values[5], ReportSeries::none) << "nothing new";
+    EXPECT_EQ(obstacles.series[2].values[5], report::ReportSeries::none) << "nothing new";
     EXPECT_EQ(obstacles.series[2].values[6], -5.0);
 }
 

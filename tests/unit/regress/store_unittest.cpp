@@ -22,8 +22,8 @@ class Stored : public ::testing::Test {
         Result result;
         result.id = "one";
         result.key = key;
-        write_file(folder.path() / file, result_text(result));
-        write_file(folder.path() / "more", more);
+        io::write_file(folder.path() / file, result_text(result));
+        io::write_file(folder.path() / "more", more);
         return folder;
     }
     std::string more(const char* kind) const {
@@ -94,7 +94,7 @@ TEST_F(Stored, LeftOversGoUnlessSomebodyUsesThem) {
 
 TEST_F(Stored, WhereNothingCanBeWrittenItSaysSo) {
     std::ofstream(root_ / "file") << "x";
-    EXPECT_THROW(Store(root_ / "file/below"), OutputError);
+    EXPECT_THROW(Store(root_ / "file/below"), io::OutputError);
 }
 
 }  // namespace

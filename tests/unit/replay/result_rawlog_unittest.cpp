@@ -12,7 +12,7 @@
 #include "rawlog_files.h"
 #include "step_samples.h"
 
-namespace flownav {
+namespace flownav::replay {
 namespace {
 
 using testing::content;
@@ -24,7 +24,7 @@ void write_sample(const std::filesystem::path& file, bool images) {
     ResultRawlog rawlog(file, 8.0);
     for (int i = 0; i < 9; ++i) {
         rawlog.write_odometry(
-            {PoseSample::Source::Odometry, step_at(i).timestamp_s, {0.016 * i, 0.1, 0, 0.2, 0, 0}});
+            {io::PoseSample::Source::Odometry, step_at(i).timestamp_s, {0.016 * i, 0.1, 0, 0.2, 0, 0}});
         if (images) rawlog.write_image(pal_field(i), "CAMERA1");
         rawlog.write(step_at(i));
     }
@@ -34,12 +34,12 @@ void write_sample(const std::filesystem::path& file, bool images) {
 TEST(ResultRawlog, HoldsOnlyStandardClassesInTheGivenOrder) {
     const auto file = test_folder() / "result.rawlog";
     write_sample(file, true);
-    RawlogReader reader(file);
+    io::RawlogReader reader(file);
     std::map<std::string, int> classes;
     while (const auto observation = reader.next()) {
         ++classes[std::string(observation->GetRuntimeClass()->className) + ' ' + observation->sensorLabel];
     }
-    EXPECT_EQ(reader.end().kind, ReadEnd::Kind::Clean) << reader.end().message;
+    EXPECT_EQ(reader.end().kind, io::ReadEnd::Kind::Clean) << reader.end().message;
     const std::map<std::string, int> expected = {{"mrpt::obs::CObservationOdometry ODOMETRY", 9},
                                                  {"mrpt::obs::CObservationOdometry FLOW_ODOMETRY", 9},
                                                  {"mrpt::obs::CObservation2DRangeScan FLOW_SCAN", 2},
@@ -51,8 +51,8 @@ TEST(ResultRawlog, HoldsOnlyStandardClassesInTheGivenOrder) {
 TEST(ResultRawlog, KeptImagesReplayWithTheCalibrationThatWasUsed) {
     const auto file = test_folder() / "result.rawlog";
     write_sample(file, true);
-    RawlogReader reader(file);
-    FieldSource source(reader, {});
+    io::RawlogReader reader(file);
+    io::FieldSource source(reader, {});
     int fields = 0;
     while (const auto event = source.next()) {
         const auto* field = std::get_if<Field>(&*event);
@@ -86,4 +86,4 @@ TEST(ResultRawlog, CountsWhatItWroteByLabel) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::replay

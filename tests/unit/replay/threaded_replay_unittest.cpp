@@ -5,7 +5,7 @@
 #include "flownav/io/decode_ahead.h"
 #include "flownav/replay/replay.h"
 
-namespace flownav {
+namespace flownav::replay {
 namespace {
 
 using testing::bytes_of;
@@ -13,14 +13,14 @@ using testing::TemporaryFolder;
 
 /// Times of all events, and where reading ended.
 std::vector<double> times_of(bool ahead) {
-    RawlogReader reader(FLOWNAV_CORRIDOR);
-    FieldSource source(reader, {});
-    std::optional<DecodeAhead> thread;
+    io::RawlogReader reader(FLOWNAV_CORRIDOR);
+    io::FieldSource source(reader, {});
+    std::optional<io::DecodeAhead> thread;
     if (ahead) thread.emplace(source, reader);
     std::vector<double> times_s;
-    while (const auto event = (ahead ? thread->next() : decode_next(source, reader)).event) {
+    while (const auto event = (ahead ? thread->next() : io::decode_next(source, reader)).event) {
         const auto* field = std::get_if<Field>(&*event);
-        times_s.push_back(field ? field->timestamp_s : std::get<PoseSample>(*event).timestamp_s);
+        times_s.push_back(field ? field->timestamp_s : std::get<io::PoseSample>(*event).timestamp_s);
     }
     return times_s;
 }
@@ -32,9 +32,9 @@ TEST(ThreadedReplay, DecodingAheadHandsOutTheSameEvents) {
 }
 
 TEST(ThreadedReplay, ADecoderThatIsNotReadToItsEndGoesAtOnce) {
-    RawlogReader reader(FLOWNAV_CORRIDOR);
-    FieldSource source(reader, {});
-    DecodeAhead ahead(source, reader);
+    io::RawlogReader reader(FLOWNAV_CORRIDOR);
+    io::FieldSource source(reader, {});
+    io::DecodeAhead ahead(source, reader);
     EXPECT_TRUE(ahead.next().event);
 }
 
@@ -52,4 +52,4 @@ TEST(ThreadedReplay, TwoThreadsGiveTheFilesOfOne) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::replay

@@ -4,7 +4,7 @@
 
 #include "step_samples.h"
 
-namespace flownav {
+namespace flownav::report {
 namespace {
 
 using testing::pal_field;
@@ -49,4 +49,4 @@ TEST(AnnotatedField, VectorsBesideThePictureDoNoHarm) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::report

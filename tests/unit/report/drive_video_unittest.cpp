@@ -8,7 +8,7 @@
 #include "flownav/io/output_file.h"
 #include "step_samples.h"
 
-namespace flownav {
+namespace flownav::report {
 namespace {
 
 using testing::bytes_of;
@@ -96,10 +96,10 @@ TEST(DriveVideo, AFileThatCannotBeWrittenIsNamed) {
     try {
         const DriveVideo video("/nowhere/drive.mp4", 4.0);
         FAIL() << "no error";
-    } catch (const OutputError& error) {
+    } catch (const io::OutputError& error) {
         EXPECT_NE(std::string(error.what()).find("/nowhere/drive.mp4"), std::string::npos);
     }
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::report

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace flownav {
+namespace flownav::report {
 namespace {
 
 using Grid = mrpt::maps::COccupancyGridMap2D;
@@ -48,4 +48,4 @@ TEST(MapWindow, ThePathLeadsToTheRobot) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::report

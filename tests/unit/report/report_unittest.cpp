@@ -10,7 +10,7 @@
 #include "flownav/report/map_picture.h"
 #include "step_samples.h"
 
-namespace flownav {
+namespace flownav::report {
 namespace {
 
 using nlohmann::json;
@@ -23,8 +23,8 @@ mrpt::maps::COccupancyGridMap2D small_map() {
     return map;
 }
 
-std::string report_of(const Drive& drive, const Timing* timing = nullptr) {
-    return report_html(drive, testing::sample_filmstrip(60), small_map(), Config{}, timing);
+std::string report_of(const evaluation::Drive& drive, const evaluation::Timing* timing = nullptr) {
+    return report_html(drive, testing::sample_thumbnail_strip(60), small_map(), config::Config{}, timing);
 }
 
 std::size_t count_of(const std::string& text, const std::string& part) {
@@ -66,13 +66,13 @@ void collect_keys(const json& part, const std::string& path, std::vector<std::st
 }
 
 TEST(Report, EveryFigureOfTheSummaryIsExplained) {
-    Drive drive = sample_drive(60);
+    evaluation::Drive drive = sample_drive(60);
     drive.read.rejected["time_backwards"] = 3;
     drive.read.warnings["calibration_changed"] = 1;
     drive.read.observations["CObservationImage CAMERA1"] = 60;
     drive.written.result_rawlog["FLOW_SCAN"] = 14;
     const std::string html = report_of(drive);
-    json summary = json::parse(summary_json(drive, Config{}, {}));
+    json summary = json::parse(evaluation::summary_json(drive, config::Config{}, {}));
     for (const char* not_a_figure : {"program", "version", "input", "timing"}) summary.erase(not_a_figure);
     summary["errors"] = summary["errors"]["odometry"];
     std::vector<std::string> keys;
@@ -84,7 +84,7 @@ TEST(Report, EveryFigureOfTheSummaryIsExplained) {
 }
 
 TEST(Report, EveryReasonHasWords) {
-    Drive drive = sample_drive(10);
+    evaluation::Drive drive = sample_drive(10);
     for (const char* reason :
          {"time_invalid", "time_repeated", "time_backwards", "image_missing", "image_unreadable",
           "image_empty", "image_not_8bit", "odometry_time_repeated", "ground_truth_not_finite"})
@@ -115,17 +115,17 @@ TEST(Report, ChartsHoldFlowOdometryAndTruthOverTime) {
     EXPECT_NEAR(series_of(chart_of(data, "turn"), "ground truth")[30].get<double>(), 11.459, 2e-3);
     EXPECT_NEAR(series_of(chart_of(data, "speed"), "flow")[4].get<double>(), 0.4, 1e-3);
     EXPECT_TRUE(series_of(chart_of(data, "speed"), "flow")[5].is_null()) << "measured at ends of cycles only";
-    const json fates = chart_of(data, "fates");
-    EXPECT_EQ(fates["t"][1], 0.16) << "once a cycle";
-    EXPECT_EQ(series_of(fates, "obstacle")[1], 1);
-    EXPECT_EQ(series_of(fates, "obstacle")[0], false);
+    const json labels = chart_of(data, "fates");
+    EXPECT_EQ(labels["t"][1], 0.16) << "once a cycle";
+    EXPECT_EQ(series_of(labels, "obstacle")[1], 1);
+    EXPECT_EQ(series_of(labels, "obstacle")[0], false);
     EXPECT_EQ(series_of(chart_of(data, "distance"), "flow")[59], 0);
     EXPECT_EQ(data["tracks"].size(), 3U);
     EXPECT_EQ(data["pictures"].size(), count_of(report_of(sample_drive(60)), "<figure><img"));
 }
 
 TEST(Report, WhatWasNotMeasuredIsAGap) {
-    Drive drive = sample_drive(50);
+    evaluation::Drive drive = sample_drive(50);
     drive.rows[21].status = FieldStatus::Lost;
     drive.rows[30].omega_radps = std::numeric_limits<double>::quiet_NaN();
     const json data = data_of(report_of(drive));
@@ -146,7 +146,7 @@ TEST(Report, OpensOffline) {
 }
 
 TEST(Report, HoldsNoTextOfNumbersThatAreNone) {
-    Drive drive = sample_drive(50);
+    evaluation::Drive drive = sample_drive(50);
     drive.ground_truth_errors->v_bias_percent.reset();
     const std::string html = report_of(drive);
     EXPECT_FALSE(has(html, ">nan<"));
@@ -155,8 +155,8 @@ TEST(Report, HoldsNoTextOfNumbersThatAreNone) {
 }
 
 TEST(Report, SaysHowADamagedInputEnded) {
-    Drive drive = sample_drive(10);
-    drive.end.kind = ReadEnd::Kind::Truncated;
+    evaluation::Drive drive = sample_drive(10);
+    drive.end.kind = io::ReadEnd::Kind::Truncated;
     drive.end.message = "the file ends inside object 11 <here>";
     const std::string html = report_of(drive);
     EXPECT_TRUE(has(html, "the file ends inside object 11 &lt;here&gt;"));
@@ -164,36 +164,36 @@ TEST(Report, SaysHowADamagedInputEnded) {
 }
 
 TEST(Report, ADriveWithoutAFieldSaysSo) {
-    Drive drive;
+    evaluation::Drive drive;
     drive.input_name = "a&b.rawlog";
-    drive.end.kind = ReadEnd::Kind::Corrupt;
+    drive.end.kind = io::ReadEnd::Kind::Corrupt;
     drive.end.message = "this is no rawlog";
-    const std::string html = report_html(drive, Filmstrip(), {}, Config{});
+    const std::string html = report_html(drive, ThumbnailStrip(), {}, config::Config{});
     EXPECT_TRUE(has(html, "Replay of a&amp;b.rawlog"));
     EXPECT_TRUE(has(html, "No field could be used"));
 }
 
 TEST(Report, SaysWhenTheSpeedOrTheMotionIsMostlyNotKnown) {
-    Drive drive = sample_drive(50);
+    evaluation::Drive drive = sample_drive(50);
     EXPECT_FALSE(has(report_of(drive), "class='bad'>The speed was not measured"));
-    for (FieldRow& row : drive.rows) row.v_measured = false;
+    for (evaluation::FieldRow& row : drive.rows) row.v_measured = false;
     EXPECT_TRUE(has(report_of(drive), "class='bad'>The speed was not measured"));
     EXPECT_FALSE(has(report_of(drive), "class='bad'>The motion is not known"));
-    for (FieldRow& row : drive.rows) row.status = FieldStatus::NoTexture;
+    for (evaluation::FieldRow& row : drive.rows) row.status = FieldStatus::NoTexture;
     EXPECT_TRUE(has(report_of(drive), "class='bad'>The motion is not known"));
 }
 
 TEST(Report, NamesCannotBecomeMarkup) {
     const std::string evil = "</script><script>alert(1)</script><!--<b x='\"&.rawlog";
-    Drive drive = sample_drive(10);
+    evaluation::Drive drive = sample_drive(10);
     const std::size_t scripts = count_of(report_of(drive), "<script");
     drive.input_name = drive.stop_reason = evil;
     drive.camera_check.warnings = {evil};
     drive.read.rejected[evil] = drive.read.warnings[evil] = drive.read.observations[evil] = 1;
     drive.written.result_rawlog[evil] = 1;
-    Config config;
+    config::Config config;
     config.camera.camera_label = evil;
-    const std::string html = report_html(drive, testing::sample_filmstrip(10), small_map(), config);
+    const std::string html = report_html(drive, testing::sample_thumbnail_strip(10), small_map(), config);
     EXPECT_EQ(count_of(html, "<script"), scripts);
     EXPECT_EQ(count_of(html, "</script"), scripts);
     EXPECT_FALSE(has(html, "<b x"));
@@ -202,7 +202,7 @@ TEST(Report, NamesCannotBecomeMarkup) {
 }
 
 TEST(Report, ANameThatIsNoUtf8IsNoReasonToFail) {
-    Drive drive = sample_drive(3);
+    evaluation::Drive drive = sample_drive(3);
     drive.input_name = "caf\xe9.rawlog";
     EXPECT_NO_THROW(data_of(report_of(drive)));
 }
@@ -212,10 +212,10 @@ TEST(Report, TheSameDriveGivesTheSameBytes) {
 }
 
 /// Two hours of a drive with trouble every now and then.
-Drive long_drive() {
-    Drive drive;
-    drive.end.kind = ReadEnd::Kind::Clean;
-    FieldRow row = row_of(testing::step_at(1));
+evaluation::Drive long_drive() {
+    evaluation::Drive drive;
+    drive.end.kind = io::ReadEnd::Kind::Clean;
+    evaluation::FieldRow row = evaluation::row_of(testing::step_at(1));
     for (int i = 0; i < 180000; ++i) {
         row.timestamp_s = 0.04 * i;
         row.omega_radps = i == 123456 ? -1.0 : 0.001 * (i % 7);
@@ -249,7 +249,8 @@ TEST(Report, TheMapLiesWhereItBelongs) {
     EXPECT_NEAR(map["cell"].get<double>(), 0.1, 1e-6);
     EXPECT_LT(map["x"].get<double>(), 0.0);
     EXPECT_GT(map["x"].get<double>() + map["columns"].get<double>() * 0.1, 2.0);
-    EXPECT_TRUE(data_of(report_html(sample_drive(5), Filmstrip(), {}, Config{}))["map"].is_null());
+    EXPECT_TRUE(
+        data_of(report_html(sample_drive(5), ThumbnailStrip(), {}, config::Config{}))["map"].is_null());
 }
 
 TEST(MapPicture, ShowsTheKnownPartWithYUp) {
@@ -279,4 +280,4 @@ TEST(MapPicture, AVeryLargeMapComesWithLargerCells) {
 }
 
 }  // namespace
-}  // namespace flownav
+}  // namespace flownav::report

@@ -15,13 +15,13 @@ Pose2 pose_at(int i, double omega_radps, double v_mps) {
     return pose;
 }
 
-pipeline::BlockRecord block(double u, double v, BlockFate fate) {
+pipeline::BlockRecord block(double u, double v, BlockLabel label) {
     pipeline::BlockRecord record;
     record.vector.at_px = {u, v};
     record.vector.flow_px = {4.0, 12.0};
     record.vector.confidence = 0.5;
-    record.vector.valid = fate != BlockFate::Sifted;
-    record.fate = fate;
+    record.vector.valid = label != BlockLabel::Sifted;
+    record.label = label;
     return record;
 }
 
@@ -44,8 +44,8 @@ pipeline::Step step_at(int i, double omega_radps, double v_mps) {
     step.counts.confident = 320;
     step.counts.inliers = 300;
     step.counts.ground_window = 20;
-    step.blocks = {block(100, 50, BlockFate::Obstacle), block(300, 100, BlockFate::Ground),
-                   block(500, 200, BlockFate::Sifted)};
+    step.blocks = {block(100, 50, BlockLabel::Obstacle), block(300, 100, BlockLabel::Ground),
+                   block(500, 200, BlockLabel::Sifted)};
     if (!step.end_of_cycle) return step;
     step.obstacles = {{{2.0, 0.5, 0.3}, 0.05, {104.0, 62.0}}, {{3.0, -0.25, 0.6}, 0.1, {600.5, 20.25}}};
     step.ground = {{{1.0, 0.0}, {1.5, 0.0}}};
@@ -68,30 +68,30 @@ Field pal_field(int i) {
     return field;
 }
 
-Drive sample_drive(int fields) {
-    Drive drive;
+evaluation::Drive sample_drive(int fields) {
+    evaluation::Drive drive;
     drive.input_name = "sample.rawlog";
-    drive.end.kind = ReadEnd::Kind::Clean;
+    drive.end.kind = io::ReadEnd::Kind::Clean;
     drive.end.objects_read = static_cast<std::uint64_t>(fields);
     drive.read.fields = static_cast<std::uint64_t>(fields);
     for (int i = 0; i < fields; ++i) {
         const pipeline::Step step = step_at(i);
         const Pose2& pose = step.T_start_robot;
-        drive.rows.push_back(row_of(step));
+        drive.rows.push_back(evaluation::row_of(step));
         drive.odometry.add(step.timestamp_s, {pose.x_m, pose.y_m, 0, pose.yaw_rad, 0, 0});
         drive.ground_truth.add(step.timestamp_s, {pose.x_m, pose.y_m, 0, pose.yaw_rad, 0, 0});
     }
     drive.odometry.finish();
     drive.ground_truth.finish();
-    drive.odometry_errors = compare(drive.rows, drive.odometry);
-    drive.ground_truth_errors = compare(drive.rows, drive.ground_truth);
+    drive.odometry_errors = evaluation::compare(drive.rows, drive.odometry);
+    drive.ground_truth_errors = evaluation::compare(drive.rows, drive.ground_truth);
     return drive;
 }
 
-Filmstrip sample_filmstrip(int fields) {
-    Filmstrip filmstrip;
-    for (int i = 0; i < fields; ++i) filmstrip.offer(pal_field(i), step_at(i));
-    return filmstrip;
+report::ThumbnailStrip sample_thumbnail_strip(int fields) {
+    report::ThumbnailStrip thumbnail_strip;
+    for (int i = 0; i < fields; ++i) thumbnail_strip.offer(pal_field(i), step_at(i));
+    return thumbnail_strip;
 }
 
 std::string content(const std::filesystem::path& file) {

@@ -5,7 +5,7 @@
 #include "flownav/core/field.h"
 #include "flownav/evaluation/drive.h"
 #include "flownav/pipeline/step.h"
-#include "flownav/report/filmstrip.h"
+#include "flownav/report/thumbnail_strip.h"
 
 /// Hand-made steps, fields and drives for the tests of writing.
 namespace flownav::testing {
@@ -21,10 +21,10 @@ pipeline::Step step_at(int i, double omega_radps = 0.2, double v_mps = 0.4);
 Field pal_field(int i);
 
 /// Such a drive as it stands before the outputs are finished, with odometry and ground truth that are exact.
-Drive sample_drive(int fields);
+evaluation::Drive sample_drive(int fields);
 
 /// The pictures of such a drive.
-Filmstrip sample_filmstrip(int fields);
+report::ThumbnailStrip sample_thumbnail_strip(int fields);
 
 /// What a file holds; fails the test when it cannot be read.
 std::string content(const std::filesystem::path& file);

@@ -36,8 +36,8 @@ TEST(Clip, HoldsThePicturesOfTheMarkedStretch) {
 TEST(Clip, AFileThatCannotBeWrittenIsAnError) {
     ViewModel model(view_options());
     finish(model);
-    EXPECT_THROW(Clip(model, "/nowhere/clip.mp4", {800, 600}), OutputError);
-    EXPECT_THROW(save_picture("/nowhere/view.png", cv::Mat(3, 3, CV_8UC3)), OutputError);
+    EXPECT_THROW(Clip(model, "/nowhere/clip.mp4", {800, 600}), io::OutputError);
+    EXPECT_THROW(save_picture("/nowhere/view.png", cv::Mat(3, 3, CV_8UC3)), io::OutputError);
 }
 
 TEST(Clip, ASessionWritesItFieldByField) {

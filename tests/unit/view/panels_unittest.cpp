@@ -4,7 +4,7 @@
 
 #include "block_panel.h"
 #include "field_panel.h"
-#include "flownav/report/fate_style.h"
+#include "flownav/report/label_style.h"
 #include "map_panel.h"
 #include "strip_panel.h"
 #include "view_picture.h"
@@ -34,15 +34,15 @@ class Panels : public ::testing::Test {
         while (!model.frame().step.end_of_cycle) model.step_by(-1);
     }
 
-    /// A block of this fate well inside the field.
-    std::size_t block_of(BlockFate fate) const {
+    /// A block of this label well inside the field.
+    std::size_t block_of(BlockLabel label) const {
         const auto& blocks = model.frame().step.blocks;
         for (std::size_t i = 0; i < blocks.size(); ++i) {
             const Eigen::Vector2d now = blocks[i].vector.at_px + blocks[i].vector.flow_px;
             const bool inside = now.x() > 20 && now.y() > 20 &&
                                 now.x() < model.frame().field.image.width_px - 20 &&
                                 now.y() < model.frame().field.image.height_px - 20;
-            if (blocks[i].fate == fate && inside) return i;
+            if (blocks[i].label == label && inside) return i;
         }
         ADD_FAILURE() << "no such block";
         return 0;
@@ -60,9 +60,9 @@ class Panels : public ::testing::Test {
 TEST_F(Panels, AnObstacleHasTheColourOfObstaclesWhereItIsNow) {
     const cv::Mat panel = field_panel({model.frame(), {}, std::nullopt, false}, size);
     EXPECT_EQ(panel.size(), size);
-    for (const BlockFate fate : {BlockFate::Obstacle, BlockFate::Ground}) {
-        const cv::Mat there = around(panel, shown_at(block_of(fate), size), 9);
-        EXPECT_GT(pixels_of(there, style_of(fate)->colour), 5) << to_string(fate);
+    for (const BlockLabel label : {BlockLabel::Obstacle, BlockLabel::Ground}) {
+        const cv::Mat there = around(panel, shown_at(block_of(label), size), 9);
+        EXPECT_GT(pixels_of(there, report::style_of(label)->colour), 5) << to_string(label);
     }
 }
 
@@ -80,7 +80,7 @@ TEST_F(Panels, ThePixelUnderTheMouseIsThatOfTheField) {
 TEST_F(Panels, PredictionsAndThePointedBlockAreDrawnOnDemand) {
     const cv::Mat plain = field_panel({model.frame(), {}, std::nullopt, false}, size);
     EXPECT_GT(cv::norm(plain, field_panel({model.frame(), {}, std::nullopt, true}, size)), 100.0);
-    const std::size_t block = block_of(BlockFate::Obstacle);
+    const std::size_t block = block_of(BlockLabel::Obstacle);
     const cv::Mat pointed = field_panel({model.frame(), {}, block, false}, size);
     EXPECT_GT(pixels_of(around(pointed, shown_at(block, size), 30), {66, 228, 240}), 20);
 }
@@ -91,7 +91,7 @@ TEST_F(Panels, TheMapShowsThePointsOfTheCycleWhereTheRobotSeesThem) {
     int near = 0;
     for (const ObstaclePoint& point : model.frame().step.obstacles) {
         const cv::Point at = map_px(point.position_m.head<2>(), size, 8.0);
-        near += pixels_of(around(panel, at, 2), style_of(BlockFate::Obstacle)->colour) > 3;
+        near += pixels_of(around(panel, at, 2), report::style_of(BlockLabel::Obstacle)->colour) > 3;
     }
     EXPECT_GT(near, static_cast<int>(model.frame().step.obstacles.size()) / 2);
     EXPECT_LT(map_px({1.0, 0.0}, size, 8.0).y, map_px({0.0, 0.0}, size, 8.0).y) << "ahead is up";
@@ -115,7 +115,7 @@ TEST_F(Panels, TheChartMarksTheFieldShownAndTheStatus) {
 }
 
 TEST_F(Panels, ABlockTellsEveryNumberOfItsRecord) {
-    const std::size_t block = block_of(BlockFate::Obstacle);
+    const std::size_t block = block_of(BlockLabel::Obstacle);
     const auto lines = block_lines(model.frame(), block);
     EXPECT_EQ(lines.size(), 13U);
     EXPECT_NE(lines[0].find("obstacle"), std::string::npos);

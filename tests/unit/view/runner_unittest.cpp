@@ -18,7 +18,7 @@ TEST(Runner, RunsLikeReplayToTheLastBit) {
         EXPECT_EQ(fingerprint(runner.frame().step), fingerprint(step));
     }
     EXPECT_FALSE(runner.advance());
-    EXPECT_EQ(runner.end().kind, ReadEnd::Kind::Clean);
+    EXPECT_EQ(runner.end().kind, io::ReadEnd::Kind::Clean);
 }
 
 TEST(Runner, KnowsWhatEachFieldWasComparedWith) {

@@ -54,9 +54,9 @@ Frame frame_of(const Vector2i& shift_px, const std::vector<Vector2i>& corners_px
     return frame;
 }
 
-FlowParams constant_brightness() {
-    FlowParams params;
-    params.brightness = BrightnessModel::Constant;
+flow::FlowParams constant_brightness() {
+    flow::FlowParams params;
+    params.brightness = flow::BrightnessModel::Constant;
     return params;
 }
 
@@ -79,7 +79,7 @@ std::optional<int> sum_of_differences(const ImageView& reference, const ImageVie
 /// What the window says of an offset; nothing where it says `no_cost`.
 std::optional<int> cost_of(const SadWindow& window, const Vector2i& offset) {
     const auto cost = window.surface.at(static_cast<std::size_t>(16 * (offset.y() - low) + offset.x() - low));
-    return cost == no_cost ? std::nullopt : std::optional<int>(cost);
+    return cost == flow::no_cost ? std::nullopt : std::optional<int>(cost);
 }
 
 /// Every cost of the window against the sums of the two images.
@@ -126,10 +126,10 @@ TEST(SadWindow, OffsetsThatLeaveTheImageHaveNoCost) {
         ASSERT_TRUE(window);
         expect_true_costs(*window, frame, corners_px[i], {0, 0});
     }
-    const SearchRange left = sad_window(frame, 0, constant_brightness())->range;
+    const flow::SearchRange left = sad_window(frame, 0, constant_brightness())->range;
     EXPECT_EQ(left.mu_min, -3);
     EXPECT_EQ(left.mu_max, high);
-    const SearchRange bottom = sad_window(frame, 3, constant_brightness())->range;
+    const flow::SearchRange bottom = sad_window(frame, 3, constant_brightness())->range;
     EXPECT_EQ(bottom.nu_min, low);
     EXPECT_EQ(bottom.nu_max, height_px - edge_px - 60);
 }
@@ -173,9 +173,9 @@ TEST(SadWindow, ABrighterImageIsComparedAfterItsBrightness) {
 }
 
 TEST(SadWindow, TheVectorsOfARecordingAreTheMinimaOfTheirSums) {
-    Config config;
-    config.pipeline.flow.subpixel = Subpixel::None;
-    config.pipeline.flow.brightness = BrightnessModel::Constant;
+    config::Config config;
+    config.pipeline.flow.subpixel = flow::Subpixel::None;
+    config.pipeline.flow.brightness = flow::BrightnessModel::Constant;
     Runner runner(corridor(), config);
     int compared = 0;
     while (runner.advance() && runner.next_index() < 40) {

@@ -42,24 +42,24 @@ TEST(ViewModel, EveryNumberIsThatOfReplayWhereverOneLooks) {
 TEST(ViewModel, TheTimelineIsThatOfEgomotionCsv) {
     ViewModel model(view_options());
     finish(model);
-    ReplayOptions replaying;
+    replay::ReplayOptions replaying;
     replaying.input = corridor();
     replaying.output = test_folder() / "out";
-    ASSERT_EQ(replay(replaying).status, ExitStatus::Fine);
+    ASSERT_EQ(replay::replay(replaying).status, replay::ExitStatus::Fine);
     std::istringstream csv(bytes_of_file(replaying.output / "egomotion.csv"));
     std::string line;
     std::getline(csv, line);
-    for (const FieldRow& row : model.timeline().rows) {
+    for (const evaluation::FieldRow& row : model.timeline().rows) {
         ASSERT_TRUE(std::getline(csv, line));
-        std::string start = time_text(row.timestamp_s) + ',' + to_string(row.status) + ',';
-        if (row.status == FieldStatus::Ok) start += fixed_text(row.omega_radps, 6);
+        std::string start = cli::time_text(row.timestamp_s) + ',' + to_string(row.status) + ',';
+        if (row.status == FieldStatus::Ok) start += cli::fixed_text(row.omega_radps, 6);
         EXPECT_EQ(line.substr(0, start.size()), start);
         const std::string end =
-            ',' + std::to_string(row.obstacles) + ',' + fixed_text(row.carried.since_s, 6) + ',' +
-            fixed_text(row.carried.sigma_m, 4) + ',' + fixed_text(row.carried.sigma_rad, 5);
+            ',' + std::to_string(row.obstacles) + ',' + cli::fixed_text(row.carried.since_s, 6) + ',' +
+            cli::fixed_text(row.carried.sigma_m, 4) + ',' + cli::fixed_text(row.carried.sigma_rad, 5);
         EXPECT_EQ(line.substr(line.size() - std::min(line.size(), end.size())), end);
         if (row.status != FieldStatus::Waiting) {
-            EXPECT_NE(line.find(',' + fixed_text(row.v_mps, 6) + ','), std::string::npos) << line;
+            EXPECT_NE(line.find(',' + cli::fixed_text(row.v_mps, 6) + ','), std::string::npos) << line;
         }
     }
     EXPECT_FALSE(std::getline(csv, line));
@@ -80,8 +80,8 @@ TEST(ViewModel, NewParametersShowAPreviewAtOnceAndTheExactResultWhenItIsThere) {
     EXPECT_NEAR(model.frame().step.T_start_robot.x_m, pose.x_m, 0.02);
     EXPECT_NEAR(model.frame().step.T_start_robot.y_m, pose.y_m, 0.02);
 
-    Config config;
-    set_config_value(config, "obstacles.tau_px", "3");
+    config::Config config;
+    config::set_config_value(config, "obstacles.tau_px", "3");
     const auto expected = straight_run(corridor(), config);
     model.work(40);
     model.poll();
@@ -110,7 +110,7 @@ TEST(ViewModel, ManyChangesInARowKeepTheDrive) {
         EXPECT_EQ(model.frame().step.blocks.size(), std::stoul(value));
         EXPECT_EQ(model.frame().index, 45U);
     }
-    EXPECT_THROW(model.set("flow.blocks", "-3"), ConfigError);
+    EXPECT_THROW(model.set("flow.blocks", "-3"), config::ConfigError);
     EXPECT_EQ(model.config().pipeline.flow.blocks, 400) << "a bad value changes nothing";
 }
 
@@ -119,8 +119,8 @@ TEST(ViewModel, ChangesBeforeAnythingHasBeenReadAreExact) {
     model.set("flow.blocks", "100");
     EXPECT_EQ(model.frame().index, 0U);
     finish(model);
-    Config config;
-    set_config_value(config, "flow.blocks", "100");
+    config::Config config;
+    config::set_config_value(config, "flow.blocks", "100");
     model.show(20);
     EXPECT_EQ(fingerprint(model.frame().step), fingerprint(straight_run(corridor(), config)[20]));
 }
@@ -131,7 +131,7 @@ TEST(ViewModel, PointingAtABlockGivesItsRecord) {
     model.show(40);
     for (std::size_t i = 0; i < model.frame().step.blocks.size(); ++i) {
         const pipeline::BlockRecord& block = model.frame().step.blocks[i];
-        if (block.fate != BlockFate::Obstacle) continue;
+        if (block.label != BlockLabel::Obstacle) continue;
         model.hover(Eigen::Vector2d(block.vector.at_px + block.vector.flow_px));
         ASSERT_TRUE(model.hovered_block());
         const pipeline::BlockRecord& found = model.frame().step.blocks[*model.hovered_block()];
@@ -200,16 +200,16 @@ TEST(ViewModel, ARawlogWithoutUsableImagesIsRefusedInTheWordsOfReplay) {
     const auto folder = test_folder();
     const auto file = folder / "poses.rawlog";
     write_bytes(file, serialized({odometry_at(1, 0), truth_at(2, 0)}));
-    ReplayOptions replaying;
+    replay::ReplayOptions replaying;
     replaying.input = file;
     replaying.output = folder / "out";
     try {
         const ViewModel model(view_options(file));
         FAIL() << "nothing can be shown";
-    } catch (const ConfigError& error) {
-        EXPECT_EQ(std::string(error.what()), replay(replaying).message);
+    } catch (const config::ConfigError& error) {
+        EXPECT_EQ(std::string(error.what()), replay::replay(replaying).message);
     }
-    EXPECT_THROW(ViewModel(view_options(folder / "none.rawlog")), InputError);
+    EXPECT_THROW(ViewModel(view_options(folder / "none.rawlog")), io::InputError);
 }
 
 TEST(ViewModel, WithoutOdometryAndTruthThereIsNothingOfThem) {
@@ -225,7 +225,7 @@ TEST(ViewModel, WithoutOdometryAndTruthThereIsNothingOfThem) {
 
 TEST(ViewModel, TheBackgroundThreadFindsTheSame) {
     ViewOptions options = view_options();
-    options.way = Scout::Way::Thread;
+    options.way = BackgroundReader::Way::Thread;
     ViewModel model(options);
     while (!model.timeline().complete) model.poll();
     model.set("flow.blocks", "200");

@@ -24,7 +24,7 @@ inline const std::filesystem::path& corridor() {
 inline view::ViewOptions view_options(const std::filesystem::path& file = corridor()) {
     view::ViewOptions options;
     options.input = file;
-    options.way = view::Scout::Way::Asked;
+    options.way = view::BackgroundReader::Way::Asked;
     return options;
 }
 
@@ -37,10 +37,10 @@ inline void finish(view::ViewModel& model) {
 
 /// The records of flownav-replay: one after the other through one pipeline.
 inline std::vector<pipeline::Step> straight_run(const std::filesystem::path& file,
-                                                const Config& config = {}) {
-    RawlogReader reader(file);
-    FieldSource source(reader, config.camera);
-    pipeline::State state = make_state(config);
+                                                const config::Config& config = {}) {
+    io::RawlogReader reader(file);
+    io::FieldSource source(reader, config.camera);
+    pipeline::State state = config::make_state(config);
     std::vector<pipeline::Step> steps;
     while (const auto event = source.next()) {
         if (const auto* field = std::get_if<Field>(&*event)) steps.push_back(pipeline::step(state, *field));

@@ -82,7 +82,7 @@ TEST_F(Session, PointingAtABlockPrintsItsNumbers) {
     EXPECT_EQ(state["field"], 40);
     const auto& record = model.frame().step.blocks[state["hovered"]["block"].get<std::size_t>()];
     EXPECT_EQ(state["hovered"]["confidence"], record.vector.confidence);
-    EXPECT_EQ(state["hovered"]["fate"], to_string(record.fate));
+    EXPECT_EQ(state["hovered"]["fate"], to_string(record.label));
     session.mouse_left();
     EXPECT_FALSE(model.hovered_block());
 }
@@ -98,8 +98,8 @@ TEST_F(Session, SlidersSetTheirParameters) {
             EXPECT_NEAR(key.value(model.config()), expected, key.step) << key.key;
             EXPECT_NEAR(slider_share(key, model.config()), share, key.step / (key.high - key.low)) << key.key;
         }
-        session.set_parameter(i, slider_share(key, Config{}));
-        EXPECT_NEAR(key.value(model.config()), key.value(Config{}), 1e-9)
+        session.set_parameter(i, slider_share(key, config::Config{}));
+        EXPECT_NEAR(key.value(model.config()), key.value(config::Config{}), 1e-9)
             << key.key << " back to its default";
     }
 }

@@ -5,7 +5,7 @@
 #include "summary.h"
 #include "units.h"
 
-namespace flownav::kernels::avx2 {
+namespace flownav::flow::kernels::avx2 {
 namespace {
 
 /// Pixels 0-3, 4-7, 8-11, 12-15 of the block, with the window from byte 0 or 4 of each half on.
@@ -71,4 +71,4 @@ Summary summary_of(const Surface& surface) {
     return summarised(surface);
 }
 
-}  // namespace flownav::kernels::avx2
+}  // namespace flownav::flow::kernels::avx2

@@ -5,7 +5,7 @@
 #include "summary.h"
 #include "units.h"
 
-namespace flownav::kernels::avx512bw {
+namespace flownav::flow::kernels::avx512bw {
 namespace {
 
 /// Of a 16-byte piece, the 8-byte groups from byte 0 and 4 on; or from 4 and 8 on.
@@ -64,4 +64,4 @@ Summary summary_of(const Surface& surface) {
     return summarised(surface);
 }
 
-}  // namespace flownav::kernels::avx512bw
+}  // namespace flownav::flow::kernels::avx512bw

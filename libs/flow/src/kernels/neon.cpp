@@ -4,7 +4,7 @@
 #include "summary.h"
 #include "units.h"
 
-namespace flownav::kernels::neon {
+namespace flownav::flow::kernels::neon {
 namespace {
 
 /// The sums over the rows of the block for 8 offsets side by side, each still in 8 parts of 8160 at the most.
@@ -64,4 +64,4 @@ Summary summary_of(const Surface& surface) {
     return summarised(surface);
 }
 
-}  // namespace flownav::kernels::neon
+}  // namespace flownav::flow::kernels::neon

@@ -2,7 +2,7 @@
 #include "summary.h"
 #include "units.h"
 
-namespace flownav::kernels::portable {
+namespace flownav::flow::kernels::portable {
 namespace {
 
 int sad(const uint8_t* block, const uint8_t* other, ptrdiff_t stride) {
@@ -36,4 +36,4 @@ Summary summary_of(const Surface& surface) {
     return summarised(surface);
 }
 
-}  // namespace flownav::kernels::portable
+}  // namespace flownav::flow::kernels::portable

@@ -5,7 +5,7 @@
 #include "summary.h"
 #include "units.h"
 
-namespace flownav::kernels::sse41 {
+namespace flownav::flow::kernels::sse41 {
 namespace {
 
 /// Pixels 0-3, 4-7, 8-11, 12-15 of the block, with the window from byte 0 or 4 on.
@@ -68,4 +68,4 @@ Summary summary_of(const Surface& surface) {
     return summarised(surface);
 }
 
-}  // namespace flownav::kernels::sse41
+}  // namespace flownav::flow::kernels::sse41

@@ -7,7 +7,7 @@
 
 #include "units.h"
 
-namespace flownav::kernels {
+namespace flownav::flow::kernels {
 namespace {
 
 using Row = uint16_t __attribute__((vector_size(side * sizeof(uint16_t)), may_alias));
@@ -86,4 +86,4 @@ inline Summary summarised(const Surface& surface) {
 }
 
 }  // namespace
-}  // namespace flownav::kernels
+}  // namespace flownav::flow::kernels

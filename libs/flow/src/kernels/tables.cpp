@@ -1,6 +1,6 @@
 #include "units.h"
 
-namespace flownav::kernels {
+namespace flownav::flow::kernels {
 namespace {
 
 constexpr int middle = side / 2;  ///< row and column of the offset (0, 0)
@@ -43,4 +43,4 @@ constexpr SummaryTables make_tables() {
 
 const SummaryTables summary_tables = make_tables();
 
-}  // namespace flownav::kernels
+}  // namespace flownav::flow::kernels

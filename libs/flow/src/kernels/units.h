@@ -5,7 +5,7 @@
 #include <stddef.h>  // NOLINT(modernize-deprecated-headers)
 #include <stdint.h>  // NOLINT(modernize-deprecated-headers)
 
-namespace flownav::kernels {
+namespace flownav::flow::kernels {
 
 constexpr int side = 16;                  ///< of the block, and of the window of offsets
 constexpr int offsets = side * side;      ///< in raster order: nu is the row, mu the column
@@ -51,4 +51,4 @@ FLOWNAV_KERNEL_UNIT(avx512bw)
 FLOWNAV_KERNEL_UNIT(neon)
 #undef FLOWNAV_KERNEL_UNIT
 
-}  // namespace flownav::kernels
+}  // namespace flownav::flow::kernels

@@ -20,7 +20,7 @@ function describe(t) {
 function addPictures() {
     viewers.push(describe);
     const figures = [...document.querySelectorAll('#strip figure')];
-    const cells = [...document.querySelectorAll('[data-key^="fate."] .number')].reverse();
+    const cells = [...document.querySelectorAll('[data-key^="label."] .number')].reverse();
     if (!figures.length) return;
     let shown = -1;
     viewers.push((t) => {
@@ -33,7 +33,7 @@ function addPictures() {
         byId('large').src = image.src;
         byId('large').alt = image.alt;
         byId('strip').scrollLeft = figures[i].offsetLeft - (byId('strip').clientWidth - figures[i].offsetWidth) / 2;
-        data.pictures[i].fates.forEach((count, k) => { cells[k].textContent = count; });
+        data.pictures[i].labels.forEach((count, k) => { cells[k].textContent = count; });
     });
     figures.forEach((figure, i) => figure.addEventListener('click', () => pin(pictureTimes[i])));
 }

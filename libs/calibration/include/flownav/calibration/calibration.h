@@ -7,15 +7,15 @@
 #include "flownav/config/config.h"
 #include "flownav/replay/replay.h"
 
-namespace flownav {
+namespace flownav::calibration {
 
 struct CalibrationOptions {
     std::filesystem::path input;    ///< a rawlog
     std::filesystem::path output;   ///< an ini
     std::filesystem::path picture;  ///< a PNG; empty: none
-    Config config;                  ///< where to start from
+    config::Config config;          ///< where to start from
     bool odometry = false;          ///< estimate the height from the recording's odometry
-    Progress::Style progress = Progress::Style::Silent;
+    cli::Progress::Style progress = cli::Progress::Style::Silent;
 };
 
 /// One value of the camera's pose.
@@ -49,4 +49,4 @@ struct CalibrationResult {
 /// Estimates the pose of the camera from a drive and writes it. Never throws on bad input or full disks.
 CalibrationResult calibrate(const CalibrationOptions& options);
 
-}  // namespace flownav
+}  // namespace flownav::calibration

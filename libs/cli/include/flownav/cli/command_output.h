@@ -7,7 +7,7 @@
 
 #include "flownav/flow/kernel.h"
 
-namespace flownav {
+namespace flownav::cli {
 
 /// What a program says about its arguments: its own help text, its version and kernel, and errors that point
 /// to
@@ -26,7 +26,7 @@ class CommandOutput : public TCLAP::StdOutput {
     void version(TCLAP::CmdLineInterface& command) override {
         out_ << name_ << ' ' << command.getVersion() << '\n' << "matching kernel: ";
         try {
-            out_ << default_kernel().name << '\n';
+            out_ << flow::default_kernel().name << '\n';
         } catch (const std::runtime_error& error) {
             out_ << error.what() << '\n';
         }
@@ -53,4 +53,4 @@ class CommandOutput : public TCLAP::StdOutput {
     bool failed_ = false;
 };
 
-}  // namespace flownav
+}  // namespace flownav::cli

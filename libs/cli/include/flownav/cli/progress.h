@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <cstdio>
 
-namespace flownav {
+namespace flownav::cli {
 
 /// Tells people how far long work is: a bar that is redrawn on a terminal, else a line every 10 percent.
 class Progress {
@@ -28,4 +28,4 @@ class Progress {
     int last_percent_ = 0;
 };
 
-}  // namespace flownav
+}  // namespace flownav::cli

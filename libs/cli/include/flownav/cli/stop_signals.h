@@ -3,7 +3,7 @@
 #include <csignal>
 #include <initializer_list>
 
-namespace flownav {
+namespace flownav::cli {
 
 /// SIGINT, SIGTERM and SIGHUP as something to wait for: they interrupt nothing. To be made before any thread,
 /// which inherits it.
@@ -21,4 +21,4 @@ class StopSignals {
     sigset_t signals_{};
 };
 
-}  // namespace flownav
+}  // namespace flownav::cli

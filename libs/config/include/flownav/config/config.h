@@ -9,7 +9,7 @@
 #include "flownav/mapping/params.h"
 #include "flownav/pipeline/params.h"
 
-namespace flownav {
+namespace flownav::config {
 
 enum class Interlaced { None, TopFirst, BottomFirst };
 
@@ -27,7 +27,7 @@ struct CameraConfig {
 struct Config {
     CameraConfig camera;
     pipeline::Params pipeline;
-    MapParams map;
+    mapping::MapParams map;
     NavigationParams navigation;
 };
 
@@ -67,4 +67,4 @@ std::string dump_changes(const Config& config);
 /// Every key as one table in markdown.
 std::string document_config();
 
-}  // namespace flownav
+}  // namespace flownav::config

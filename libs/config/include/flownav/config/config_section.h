@@ -5,7 +5,7 @@
 
 #include "flownav/config/config.h"
 
-namespace flownav {
+namespace flownav::config {
 
 /// One section of a Config as MRPT's classes read and write their options. The keys may stand in a section of
 /// any name, among keys of others, such as the section of a driver in an ini of rawlog-grabber.
@@ -24,4 +24,4 @@ class ConfigSection : public mrpt::config::CLoadableOptions {
     std::string name_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::config

@@ -21,7 +21,7 @@ struct RayFlow {
 };
 
 /// What became of a block in this field, in the order of the decisions.
-enum class BlockFate {
+enum class BlockLabel {
     Unplaced,     ///< its window left the image, or nothing has been measured yet
     Sifted,       ///< the match is ambiguous (confidence too low)
     Eliminated,   ///< Eq. (11): the vector does not point away from the focus of expansion
@@ -32,7 +32,7 @@ enum class BlockFate {
     Unjudged,     ///< consistent, but neither ground nor obstacle can be told (e.g. far, or T unknown)
 };
 
-/// The word of a fate, as written in files and pictures.
-const char* to_string(BlockFate fate);
+/// The word of a label, as written in files and pictures.
+const char* to_string(BlockLabel label);
 
 }  // namespace flownav

@@ -21,7 +21,7 @@ struct NavigationParams {
     NavigatorKind navigator = NavigatorKind::Lanes;
     PlanPolicy plan = PlanPolicy::Always;
     RobotModel robot;
-    double decide_every_s = 0.2;  ///< period of the navigator
+    double controller_period_s = 0.2;  ///< period of the navigator
     double goal_radius_m = 0.3;   ///< arrived when this near
 };
 

@@ -10,7 +10,7 @@
 #include "flownav/drive/sensor_feed.h"
 #include "flownav/io/live_fields.h"
 
-namespace flownav {
+namespace flownav::drive {
 
 /// Called with every field and its record, in the camera's thread.
 using FieldSink = std::function<void(const Field&, const pipeline::Step&)>;
@@ -22,10 +22,10 @@ using FieldSink = std::function<void(const Field&, const pipeline::Step&)>;
 class CameraThread : public SensorFeed {
   public:
     /// Opens the camera. Throws InputError: it is not there. The clock outlives this.
-    CameraThread(const ProducerSettings& settings, const SteadyClock& clock, FieldSink sink);
+    CameraThread(const io::ProducerSettings& settings, const SteadyClock& clock, FieldSink sink);
     ~CameraThread() override;
 
-    std::vector<nav::Sensed> arrived() override;
+    std::vector<nav::SensorUpdate> arrived() override;
     std::string end() override;
 
   private:
@@ -33,16 +33,16 @@ class CameraThread : public SensorFeed {
     void read_fields();
     double clock_time_s(double timestamp_s);
 
-    LiveFields fields_;
+    io::LiveFields fields_;
     const SteadyClock& clock_;
     FieldSink sink_;
     bool recorded_;                          ///< the source is a recording
     std::optional<double> recording_began_;  ///< clock - time stamp of a recording
     std::mutex mutex_;
-    std::vector<nav::Sensed> arrived_;
+    std::vector<nav::SensorUpdate> arrived_;
     std::string end_;
     std::atomic<bool> stops_{false};
     std::thread thread_;  ///< last: starts when all else is there
 };
 
-}  // namespace flownav
+}  // namespace flownav::drive

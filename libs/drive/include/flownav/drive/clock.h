@@ -3,7 +3,7 @@
 #include <chrono>
 #include <functional>
 
-namespace flownav {
+namespace flownav::drive {
 
 /// The clock of a drive: the readings of the wheels and the fields are stamped with it.
 class Clock {
@@ -40,4 +40,4 @@ class SteadyClock : public Clock {
 /// The time that the system's clock shows, seconds since 1970.
 double system_time_s();
 
-}  // namespace flownav
+}  // namespace flownav::drive

@@ -10,10 +10,10 @@
 #include "flownav/core/field.h"
 #include "flownav/drive/clock.h"
 #include "flownav/drive/sensor_feed.h"
-#include "flownav/nav/autopilot.h"
+#include "flownav/nav/navigation_stack.h"
 #include "flownav/nav/robot_base.h"
 
-namespace flownav {
+namespace flownav::drive {
 
 enum class Outcome {
     Reached,    ///< the goal, or the length of way that was asked for
@@ -28,7 +28,7 @@ enum class Outcome {
 const char* to_string(Outcome outcome);
 
 struct DriveOptions {
-    Config config;  ///< sections [map] and [navigation]
+    config::Config config;  ///< sections [map] and [navigation]
     nav::GuardParams guard;
     Pose2 start;                                      ///< in the frame of the goals
     std::vector<Eigen::Vector2d> goals_m;             ///< the last one is the goal
@@ -38,8 +38,8 @@ struct DriveOptions {
     double tick_s = 0.02;          ///< of wheels, guard and motors
     std::string navlog_directory;  ///< empty: none
     double hung_s = 0.0;  ///< > 0: a thread stops the base when the loop hangs for so long; for real robots
-    std::function<bool()> stop_wanted;  ///< asked every tick; empty: never
-    nav::Autopilot::Tamper navigator;   ///< for tests: what the navigator proposes instead
+    std::function<bool()> stop_wanted;               ///< asked every tick; empty: never
+    nav::NavigationStack::FaultInjection navigator;  ///< for tests: what the navigator proposes instead
 };
 
 /// One control tick, in the frame of the goals where nothing else is said.
@@ -78,9 +78,9 @@ class DriveObserver {
     virtual void on_field(const Field&, const pipeline::Step&) {}
     virtual void on_odometry(double /*timestamp_s*/, const Pose2& /*T_odom_robot*/) {}
     virtual void on_truth(double /*timestamp_s*/, const Pose2& /*T_world_robot*/) {}
-    virtual void on_decision(const DriveSample&, const nav::Autopilot&) {}
+    virtual void on_decision(const DriveSample&, const nav::NavigationStack&) {}
     virtual void on_tick(const DriveSample&) {}
-    virtual void on_end(const nav::Autopilot&) {}
+    virtual void on_end(const nav::NavigationStack&) {}
 };
 
 /// Knows the truth about the drive, as a simulation does.
@@ -116,4 +116,4 @@ struct DrivenRobot {
 /// before the robot moves: std::invalid_argument for options that make no sense.
 DriveResult drive(const DriveOptions& options, const DrivenRobot& robot, DriveObserver& observer);
 
-}  // namespace flownav
+}  // namespace flownav::drive

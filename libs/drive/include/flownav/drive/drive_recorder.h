@@ -6,7 +6,7 @@
 
 #include "flownav/drive/drive.h"
 
-namespace flownav {
+namespace flownav::drive {
 
 struct DriveRecorderOptions {
     std::filesystem::path rawlog;  ///< fields, odometry and truth; empty: none
@@ -27,7 +27,7 @@ class DriveRecorder : public DriveObserver {
     void on_field(const Field& field, const pipeline::Step& step) override;
     void on_odometry(double timestamp_s, const Pose2& T_odom_robot) override;
     void on_truth(double timestamp_s, const Pose2& T_world_robot) override;
-    void on_decision(const DriveSample& sample, const nav::Autopilot& autopilot) override;
+    void on_decision(const DriveSample& sample, const nav::NavigationStack& stack) override;
 
     /// Writes what still waits, and gives the files their names. Throws OutputError, also for what could not
     /// be written while the robot drove.
@@ -43,7 +43,7 @@ class DriveRecorder : public DriveObserver {
 
 /// The columns of the csv, and one row.
 std::string drive_csv_header();
-std::string drive_csv_row(const DriveSample& sample, const nav::PilotDecision& decision,
+std::string drive_csv_row(const DriveSample& sample, const nav::RecoveryDecision& decision,
                           nav::GuardAction action);
 
-}  // namespace flownav
+}  // namespace flownav::drive

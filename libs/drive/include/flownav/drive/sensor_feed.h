@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "flownav/core/field.h"
-#include "flownav/nav/autopilot.h"
+#include "flownav/nav/navigation_stack.h"
 #include "flownav/pipeline/repeated_images.h"
 #include "flownav/pipeline/step.h"
 
-namespace flownav {
+namespace flownav::drive {
 
 /// What the sensor of a robot has to say; filled by a camera's thread, by the simulation, or by a test.
 class SensorFeed {
@@ -19,14 +19,15 @@ class SensorFeed {
     SensorFeed& operator=(const SensorFeed&) = delete;
 
     /// Everything that arrived since the last call, in its order. Never waits.
-    virtual std::vector<nav::Sensed> arrived() = 0;
+    virtual std::vector<nav::SensorUpdate> arrived() = 0;
 
     /// Why nothing will ever arrive again; empty: more may come.
     virtual std::string end() = 0;
 };
 
-/// What a field's record says, for the autopilot; times less `epoch_s`. `images`: fed with every field.
-nav::Sensed sensed_of(const pipeline::Step& step, const Field& field, pipeline::RepeatedImages& images,
-                      double epoch_s = 0.0);
+/// What a field's record says, for the navigation stack; times less `epoch_s`. `images`: fed with every
+/// field.
+nav::SensorUpdate sensor_update_of(const pipeline::Step& step, const Field& field,
+                                   pipeline::RepeatedImages& images, double epoch_s = 0.0);
 
-}  // namespace flownav
+}  // namespace flownav::drive

@@ -9,7 +9,7 @@
 #include "flownav/sim/wheel_odometry.h"
 #include "flownav/sim/world.h"
 
-namespace flownav {
+namespace flownav::drive {
 
 enum class SensorKind { Flow, Lidar };
 
@@ -37,4 +37,4 @@ struct SimulatedDriveOptions : DriveOptions {
 /// to simulated time while it runs.
 DriveResult simulate_drive(const SimulatedDriveOptions& options, DriveObserver& observer);
 
-}  // namespace flownav
+}  // namespace flownav::drive

@@ -11,7 +11,7 @@
 #include "flownav/evaluation/pose_track.h"
 #include "flownav/io/field_source.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 
 /// The vectors of one finished cycle, in pixels, so that they can be seen with any camera pose.
 struct CalibrationPair {
@@ -32,13 +32,13 @@ struct CalibrationDrive {
     double path_m = 0.0;  ///< flow odometry
     Field first_field;
     PoseTrack odometry;
-    ReadEnd end;
+    io::ReadEnd end;
     std::string stop_reason;  ///< why reading stopped before the end; empty when it did not
 };
 
 /// Runs the sensor over the rawlog, until `cycles_max` cycles are finished (0: to the end).
 /// Throws InputError and, when not even the first image can be used, ConfigError.
-CalibrationDrive collect_pairs(const std::filesystem::path& input, const Config& config,
-                               std::uint64_t cycles_max, Progress& progress);
+CalibrationDrive collect_pairs(const std::filesystem::path& input, const config::Config& config,
+                               std::uint64_t cycles_max, cli::Progress& progress);
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

@@ -7,7 +7,7 @@
 #include "flownav/evaluation/pose_fit.h"
 #include "flownav/pipeline/step.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 
 /// Whether the camera's pose agrees with what the drive shows.
 struct CameraCheck {
@@ -16,7 +16,7 @@ struct CameraCheck {
     static constexpr double ratio_high = 1.25;
 
     int pairs = 0;                  ///< cycles that showed enough floor
-    PoseCorrection angles;          ///< what would have to be added to pitch, roll and yaw
+    motion::PoseCorrection angles;  ///< what would have to be added to pitch, roll and yaw
     double agreeing = 0.0;          ///< share of the vectors of the near floor that do agree with a plane
     bool angles_known = false;      ///< whether that means anything
     std::optional<ScaleFit> scale;  ///< odometry over flow odometry
@@ -44,7 +44,7 @@ class CameraChecker {
     double reference_s_ = 0.0;
     std::vector<TravelPiece> pieces_;
     std::vector<RayFlow> rays_;
-    PoseScratch scratch_;
+    motion::PoseScratch scratch_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

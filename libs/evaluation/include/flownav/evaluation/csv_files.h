@@ -4,7 +4,7 @@
 #include "flownav/io/output_file.h"
 #include "flownav/pipeline/step.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 
 /// egomotion.csv: one row a field. A number that was not measured, and has no estimate, is an empty cell.
 class EgomotionCsv {
@@ -14,7 +14,7 @@ class EgomotionCsv {
     void close() { file_.close(); }
 
   private:
-    OutputFile file_;
+    io::OutputFile file_;
 };
 
 /// obstacles.csv: one row an obstacle point, in the robot frame at the row's time.
@@ -25,7 +25,7 @@ class ObstaclesCsv {
     void close() { file_.close(); }
 
   private:
-    OutputFile file_;
+    io::OutputFile file_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

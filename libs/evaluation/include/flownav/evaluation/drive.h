@@ -15,7 +15,7 @@
 #include "flownav/io/rawlog_reader.h"
 #include "flownav/mapping/export.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 
 /// What went into the output files.
 struct WrittenCounts {
@@ -25,16 +25,16 @@ struct WrittenCounts {
     std::uint64_t egomotion_rows = 0;
     std::uint64_t obstacle_points = 0;
     std::uint64_t cycles = 0;                            ///< finished cycles, each a scan and a cloud
-    CellCounts map_cells;                                ///< of map.pgm
+    mapping::CellCounts map_cells;                       ///< of map.pgm
     std::map<std::string, std::uint64_t> result_rawlog;  ///< observations by label
 };
 
 /// Everything that is known when a drive has been replayed.
 struct Drive {
     std::string input_name;  ///< of the file, without its folder
-    ReadEnd end;
+    io::ReadEnd end;
     std::string stop_reason;  ///< why reading stopped before the end; empty when it did not
-    InputCounts read;
+    io::InputCounts read;
     WrittenCounts written;
     std::vector<FieldRow> rows;
     FieldFaultCounts field_faults{};    ///< why fields had the status bad_field
@@ -74,4 +74,4 @@ std::string map_warning(int sets, int sets_outside, double half_m);
 /// What a status means and what to do about it, for people.
 const char* explain(FieldStatus status);
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

@@ -6,10 +6,10 @@
 #include "flownav/core/pose2.h"
 #include "flownav/pipeline/step.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 
-/// How many blocks have each fate, in the order of BlockFate.
-using FateCounts = std::array<std::uint16_t, 8>;
+/// How many blocks have each label, in the order of BlockLabel.
+using LabelCounts = std::array<std::uint16_t, 8>;
 
 /// The little of a step that the metrics and the report still need after the drive.
 struct FieldRow {
@@ -27,12 +27,12 @@ struct FieldRow {
     int ground_window = 0;
     int obstacles = 0;
     bool end_of_cycle = false;
-    FateCounts fates{};
+    LabelCounts labels{};
 };
 
 /// Of the blocks that have a vector, or an ambiguous one, in the running cycle.
-FateCounts fates_of(const pipeline::Step& step);
+LabelCounts label_counts_of(const pipeline::Step& step);
 
 FieldRow row_of(const pipeline::Step& step);
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

@@ -7,7 +7,7 @@
 #include "flownav/evaluation/field_row.h"
 #include "flownav/evaluation/pose_track.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 
 /// How the flow odometry differs from another track of poses. A figure is absent when there is nothing to
 /// compute it from. Poses of the other track are interpolated at the times of the fields; the first
@@ -40,4 +40,4 @@ struct Figure {
 /// Every figure, in the order of the outputs.
 const std::array<Figure, 8>& error_figures();
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

@@ -5,7 +5,7 @@
 #include "flownav/evaluation/calibration_drive.h"
 #include "flownav/motion/pose_error.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 
 /// Adds up the equations of pairs in the order of the drive. Neighbouring pairs see the same floor, so their
 /// errors are alike: the scatter that tells the uncertainty is that between groups of them.
@@ -14,24 +14,25 @@ class PoseSum {
     explicit PoseSum(int pairs_per_group) : pairs_per_group_(pairs_per_group) {}
 
     /// `at_rad`: the correction with which the pair was seen.
-    void add(PoseEquations pair, const MountAngles& at_rad = MountAngles::Zero());
+    void add(motion::PoseEquations pair, const motion::MountAngles& at_rad = motion::MountAngles::Zero());
 
     int pairs() const { return pairs_; }
-    const PoseEquations& total() const { return total_; }
-    PoseCorrection solution(const AngleMask& unknown = {true, true, true}) const;
+    const motion::PoseEquations& total() const { return total_; }
+    motion::PoseCorrection solution(const motion::AngleMask& unknown = {true, true, true}) const;
 
   private:
     int pairs_per_group_;
     int pairs_ = 0;
-    PoseEquations total_;
-    std::vector<PoseEquations> groups_;
+    motion::PoseEquations total_;
+    std::vector<motion::PoseEquations> groups_;
 };
 
 /// Angles of the camera that explain a drive.
 struct AnglesFit {
-    MountAngles correction_rad = MountAngles::Zero();  ///< of the mounts that the pairs come with
-    MountAngles sigma_rad = MountAngles::Constant(unknown_angle_rad);
-    Steadiness steadiness;  ///< as the drive showed it
+    motion::MountAngles correction_rad =
+        motion::MountAngles::Zero();  ///< of the mounts that the pairs come with
+    motion::MountAngles sigma_rad = motion::MountAngles::Constant(motion::unknown_angle_rad);
+    motion::PitchPrior pitch_prior;  ///< as the drive showed it
     bool settled = false;
     int pairs = 0;
     double agreeing_vectors = 0.0;  ///< that move like the floor, within a pixel or so
@@ -39,8 +40,8 @@ struct AnglesFit {
 };
 
 /// Gauss-Newton over all pairs, from a correction to start with.
-AnglesFit fit_angles(const std::vector<CalibrationPair>& pairs, const MountAngles& start_rad,
-                     const AngleMask& unknown);
+AnglesFit fit_angles(const std::vector<CalibrationPair>& pairs, const motion::MountAngles& start_rad,
+                     const motion::AngleMask& unknown);
 
 /// A pair as a camera of corrected mount sees it.
 struct SeenPair {
@@ -50,7 +51,7 @@ struct SeenPair {
     std::vector<RayFlow> rays;
 };
 
-SeenPair seen(const CalibrationPair& pair, const MountAngles& correction_rad);
+SeenPair seen(const CalibrationPair& pair, const motion::MountAngles& correction_rad);
 
 /// Odometry over flow odometry, which is the true over the assumed height.
 struct ScaleFit {
@@ -68,4 +69,4 @@ struct TravelPiece {
 /// Nothing when odometry and flow share too few pieces of forward driving.
 std::optional<ScaleFit> fit_scale(const std::vector<TravelPiece>& flow, const PoseTrack& odometry);
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

@@ -6,7 +6,7 @@
 
 #include "flownav/core/pose2.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 
 struct TimedPose {
     double timestamp_s = 0.0;
@@ -38,4 +38,4 @@ class PoseTrack {
     std::vector<TimedPose> samples_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

@@ -4,12 +4,12 @@
 #include "flownav/config/config.h"
 #include "flownav/evaluation/drive.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 
 /// summary.json without its timing.
-nlohmann::ordered_json summary_facts(const Drive& drive, const Config& config);
+nlohmann::ordered_json summary_facts(const Drive& drive, const config::Config& config);
 
 /// The object "timing" of summary.json.
 nlohmann::ordered_json timing_facts(const Timing& timing);
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

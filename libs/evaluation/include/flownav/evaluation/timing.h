@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace flownav {
+namespace flownav::evaluation {
 
 /// Seconds spent in the stages of a replay.
 struct StageTimes {
@@ -39,4 +39,4 @@ struct Timing {
     std::string kernel;
 };
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

@@ -6,7 +6,7 @@
 #include "flownav/core/pose2.h"
 #include "flownav/io/output_file.h"
 
-namespace flownav {
+namespace flownav::evaluation {
 
 /// A trajectory in TUM format, one pose a line: timestamp x y z qx qy qz qw (seconds, metres).
 class TrajectoryFile {
@@ -18,7 +18,7 @@ class TrajectoryFile {
     void close() { file_.close(); }
 
   private:
-    OutputFile file_;
+    io::OutputFile file_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::evaluation

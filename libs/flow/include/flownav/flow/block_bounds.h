@@ -6,7 +6,7 @@
 #include "flownav/core/image_view.h"
 #include "flownav/flow/kernel.h"
 
-namespace flownav {
+namespace flownav::flow {
 
 /// A displacement in whole pixels. What is not finite, or is farther than any image is large, becomes a
 /// displacement whose search window lies outside every image.
@@ -33,4 +33,4 @@ inline bool contains_block(const ImageView& image, const Eigen::Vector2i& corner
            at.y() + block_px <= image.height_px;
 }
 
-}  // namespace flownav
+}  // namespace flownav::flow

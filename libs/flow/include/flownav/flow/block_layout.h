@@ -6,7 +6,7 @@
 #include "flownav/core/camera_model.h"
 #include "flownav/flow/params.h"
 
-namespace flownav {
+namespace flownav::flow {
 
 constexpr int neighbours_max = 8;
 constexpr int ground_window_min = 12;  ///< blocks placed in the ground window at the least
@@ -24,7 +24,7 @@ struct BlockLayout {
 };
 
 /// Places `params.blocks` blocks about uniformly on the ground, therefore dense toward the horizon, none
-/// inside the blind cone |e| < params.blind_cone, at least 12 in the ground window. Deterministic: a
+/// inside the blind cone |e| < params.focus_exclusion, at least 12 in the ground window. Deterministic: a
 /// low-discrepancy sequence, no random numbers. Empty when the image is too small for a block or lies in the
 /// blind cone.
 BlockLayout place_blocks(const RayMapper& mapper, const FlowParams& params);
@@ -35,4 +35,4 @@ void set_reference(BlockLayout& layout, const RayMapper& reference);
 /// Every nth block of a layout, without neighbours: for quick searches.
 BlockLayout every_nth(const BlockLayout& layout, std::size_t n);
 
-}  // namespace flownav
+}  // namespace flownav::flow

@@ -8,7 +8,7 @@
 #include "flownav/core/image_view.h"
 #include "flownav/flow/block_layout.h"
 
-namespace flownav {
+namespace flownav::flow {
 
 /// How the exposure changed between two images: newer = gain * reference + offset, in grey levels.
 struct Brightness {
@@ -57,4 +57,4 @@ struct GreySums {
 Brightness compare_brightness(const ImageView& reference, const ImageView& newer, const BlockLayout& layout,
                               const std::vector<Eigen::Vector2i>& bias_px, GreySums& sums);
 
-}  // namespace flownav
+}  // namespace flownav::flow

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace flownav {
+namespace flownav::flow {
 
 constexpr int block_px = 16;    ///< edge of the reference block
 constexpr int search_min = -8;  ///< Eq. (2): mu, nu in search_min .. search_max
@@ -69,4 +69,4 @@ SadSurface sad_surface(const std::uint8_t* block, std::ptrdiff_t block_stride, c
 /// then to the first in raster order: the ONE tie-break of every kernel.
 BlockMatch summarise(const SadSurface& surface, const SearchRange& range);
 
-}  // namespace flownav
+}  // namespace flownav::flow

@@ -1,7 +1,7 @@
 #pragma once
 #include "flownav/flow/matcher.h"
 
-namespace flownav {
+namespace flownav::flow {
 
 /// The defaults are those that did best on the scenes of tests/support. The window is odd: its samples then
 /// lie half-way between the pixels, as the centres of the blocks do, and being means of four are calmer.
@@ -28,4 +28,4 @@ class LkMatcher {
     LkSettings settings_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::flow

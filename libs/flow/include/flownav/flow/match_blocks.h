@@ -9,7 +9,7 @@
 #include "flownav/flow/kernel.h"
 #include "flownav/flow/params.h"
 
-namespace flownav {
+namespace flownav::flow {
 
 /// Part of the search window of a block (top left pixel `corner_px`) that lies inside the image when its
 /// centre is displaced by `bias_px`; empty when nothing is left. Holds for any numbers.
@@ -33,4 +33,4 @@ void match_blocks(const ImageView& reference, const ImageView& newer, const Bloc
                   const std::vector<Eigen::Vector2i>& bias_px, const MatchSettings& settings,
                   std::vector<FlowVector>& vectors);
 
-}  // namespace flownav
+}  // namespace flownav::flow

@@ -8,7 +8,7 @@
 #include "flownav/flow/block_layout.h"
 #include "flownav/flow/match_blocks.h"
 
-namespace flownav {
+namespace flownav::flow {
 
 /// Whatever measures the flow of the blocks of a layout between two images of the same size. `predicted_px`:
 /// the flow to start from, one per block. `vectors` gets one entry per block; what could not be measured is
@@ -34,4 +34,4 @@ class BlockMatcher {
     GreySums sums_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::flow

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace flownav {
+namespace flownav::flow {
 
 /// Refinement of the integer minimum of the SAD surface.
 enum class Subpixel {
@@ -26,8 +26,8 @@ struct FlowParams {
     int blocks = 350;  ///< how many 16x16 blocks are placed; 16..2000
     Subpixel subpixel = Subpixel::V;
     BrightnessModel brightness = BrightnessModel::Image;
-    double confidence_min = 0.06;  ///< a match below is sifted; (second - min) / second, 0..1
-    double blind_cone = 0.25;      ///< no blocks where |e| is below: the cone around the focus of expansion
+    double confidence_min = 0.06;   ///< a match below is sifted; (second - min) / second, 0..1
+    double focus_exclusion = 0.25;  ///< no blocks where |e| is below: the cone around the focus of expansion
 };
 
-}  // namespace flownav
+}  // namespace flownav::flow

@@ -5,7 +5,7 @@
 #include "flownav/flow/kernel.h"
 #include "flownav/flow/params.h"
 
-namespace flownav {
+namespace flownav::flow {
 
 /// Offset of the true minimum from the integer one, in -0.5..0.5 px, from the costs before, at and behind it.
 /// V: two lines of opposite slope through the three, right for a SAD; parabola: right for squared
@@ -47,4 +47,4 @@ inline double confidence_of(const BlockMatch& match) {
     return static_cast<double>(match.second - match.minimum) / match.second;
 }
 
-}  // namespace flownav
+}  // namespace flownav::flow

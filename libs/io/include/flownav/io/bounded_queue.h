@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace flownav {
+namespace flownav::io {
 
 /// Hands things from one thread to another, in order, at most `capacity` waiting.
 template <typename T>
@@ -66,4 +66,4 @@ class BoundedQueue {
     bool stopped_ = false;
 };
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -5,7 +5,7 @@
 #include "flownav/io/bounded_queue.h"
 #include "flownav/io/field_source.h"
 
-namespace flownav {
+namespace flownav::io {
 
 struct Decoded {
     std::optional<ReplayEvent> event;  ///< nothing: the end
@@ -35,4 +35,4 @@ class DecodeAhead {
     std::thread thread_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -6,7 +6,7 @@
 #include "flownav/core/field.h"
 #include "flownav/core/pose2.h"
 
-namespace flownav {
+namespace flownav::io {
 
 /// A drive that is written as a gz rawlog of standard observations. The file appears under its name only when
 /// it is complete; a recording that is not completed leaves nothing behind. Everything throws OutputError.
@@ -31,4 +31,4 @@ class DriveRecording {
     std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::io

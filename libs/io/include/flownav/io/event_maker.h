@@ -15,7 +15,7 @@
 #include "flownav/core/field.h"
 #include "flownav/io/field_splitter.h"
 
-namespace flownav {
+namespace flownav::io {
 
 /// A pose of the robot's axis, projected on the ground where the source says so.
 struct PoseSample {
@@ -53,7 +53,7 @@ std::string why_no_field(const InputCounts& counts, const std::string& source,
 /// images are views of the observation; nothing is copied. Times rise strictly within each kind of event.
 class EventMaker {
   public:
-    explicit EventMaker(const CameraConfig& camera) : camera_(camera), splitter_(camera.interlaced) {}
+    explicit EventMaker(const config::CameraConfig& camera) : camera_(camera), splitter_(camera.interlaced) {}
 
     /// Takes an observation in; what it gives, if anything, waits for next(). Relative names of external
     /// images refer to `images_directory`. Throws ConfigError: an image without calibration (names the keys
@@ -81,7 +81,7 @@ class EventMaker {
     void hand_out(const std::vector<Field>& fields);
     void note_changes(const Field& frame, const mrpt::obs::CObservationImage& image);
 
-    CameraConfig camera_;
+    config::CameraConfig camera_;
     InputCounts counts_;
     std::map<std::string, double> last_time_s_;  ///< of each kind of event
     std::optional<CameraModel> last_camera_;
@@ -89,4 +89,4 @@ class EventMaker {
     FieldSplitter splitter_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::io

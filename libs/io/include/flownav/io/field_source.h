@@ -4,7 +4,7 @@
 #include "flownav/io/event_maker.h"
 #include "flownav/io/rawlog_reader.h"
 
-namespace flownav {
+namespace flownav::io {
 
 /// A field, or a pose, in the order of the file.
 using ReplayEvent = SensorEvent;
@@ -12,7 +12,7 @@ using ReplayEvent = SensorEvent;
 /// The fields and poses of a rawlog, made by an EventMaker.
 class FieldSource {
   public:
-    FieldSource(RawlogReader& reader, const CameraConfig& camera) : reader_(reader), maker_(camera) {}
+    FieldSource(RawlogReader& reader, const config::CameraConfig& camera) : reader_(reader), maker_(camera) {}
 
     /// Goes on like another source whose reader stood where `reader` stands now, also beyond an end.
     FieldSource(RawlogReader& reader, const FieldSource& like) : reader_(reader), maker_(like.maker_) {}
@@ -30,4 +30,4 @@ class FieldSource {
     bool finished_ = false;
 };
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -6,7 +6,7 @@
 #include "flownav/config/config.h"
 #include "flownav/core/field.h"
 
-namespace flownav {
+namespace flownav::io {
 
 /// Every second line of a woven frame as a field of its own (a view), with the camera of those lines.
 Field field_of_frame(const Field& frame, bool bottom);
@@ -17,7 +17,7 @@ Field field_of_frame(const Field& frame, bool bottom);
 /// unchanged.
 class FieldSplitter {
   public:
-    explicit FieldSplitter(Interlaced interlaced) : interlaced_(interlaced) {}
+    explicit FieldSplitter(config::Interlaced interlaced) : interlaced_(interlaced) {}
 
     /// The fields that became complete with this frame; times must rise.
     std::vector<Field> push(const Field& frame);
@@ -28,9 +28,9 @@ class FieldSplitter {
   private:
     Field second_field(double period_s);
 
-    Interlaced interlaced_;
+    config::Interlaced interlaced_;
     std::optional<Field> second_;     ///< with its frame's time
     std::deque<double> intervals_s_;  ///< the latest intervals between frames
 };
 
-}  // namespace flownav
+}  // namespace flownav::io

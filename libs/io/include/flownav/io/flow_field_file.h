@@ -6,7 +6,7 @@
 #include "flownav/io/output_file.h"
 #include "flownav/pipeline/step.h"
 
-namespace flownav {
+namespace flownav::io {
 
 /// A gz rawlog of CObservationFlowField, one a field. Apart from result.rawlog, because MRPT's programs stop
 /// at a class they do not know. Everything throws OutputError when it cannot be written.
@@ -21,4 +21,4 @@ class FlowFieldFile {
     GzOutputFile file_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -69,16 +69,16 @@ class CFlowObstacleSensor : public mrpt::system::COutputLogger, public mrpt::hwd
   private:
     using Batch = std::vector<mrpt::serialization::CSerializable::Ptr>;
 
-    std::optional<SensorEvent> next_due();
+    std::optional<io::SensorEvent> next_due();
     void evaluate(const Field& field, Batch& batch);
     void add(Batch& batch, const mrpt::obs::CObservation::Ptr& observation, const char* suffix) const;
     void end(Batch& batch);
     void wait_and_throw();
 
-    ProducerSettings settings_;
-    std::optional<LiveFields> fields_;
+    io::ProducerSettings settings_;
+    std::optional<io::LiveFields> fields_;
     std::optional<pipeline::State> state_;
-    std::optional<SensorEvent> early_;      ///< read, but not due yet
+    std::optional<io::SensorEvent> early_;  ///< read, but not due yet
     std::optional<double> clock_offset_s_;  ///< clock - time stamp, when paced
     double latest_s_ = 0.0;                 ///< time stamp of what was read last
     double calls_since_end_ = 0.0;

@@ -5,7 +5,7 @@
 #include "flownav/config/config.h"
 #include "flownav/io/image_sequence.h"
 
-namespace flownav {
+namespace flownav::io {
 
 /// How images without times of their own get them: from a file, else at a constant rate.
 struct FrameTimes {
@@ -23,7 +23,7 @@ std::vector<double> read_times_file(const std::filesystem::path& file);
 /// numbers. Colour becomes grey.
 class ImageFolder : public ImageSequence {
   public:
-    ImageFolder(const std::filesystem::path& directory, CameraConfig camera, const FrameTimes& times);
+    ImageFolder(const std::filesystem::path& directory, config::CameraConfig camera, const FrameTimes& times);
 
     std::optional<SequenceFrame> next() override;
     std::size_t size() const override { return images_.size(); }
@@ -35,8 +35,8 @@ class ImageFolder : public ImageSequence {
     std::vector<std::filesystem::path> images_;
     std::vector<double> times_s_;
     std::string times_source_;
-    CameraConfig camera_;
+    config::CameraConfig camera_;
     std::size_t at_ = 0;
 };
 
-}  // namespace flownav
+}  // namespace flownav::io

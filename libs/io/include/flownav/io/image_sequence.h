@@ -7,7 +7,7 @@
 #include "flownav/core/field.h"
 #include "flownav/core/pose2.h"
 
-namespace flownav {
+namespace flownav::io {
 
 /// An image of a data set, and where the robot was when it was taken, if the data set knows.
 struct SequenceFrame {
@@ -40,4 +40,4 @@ class ImageSequence {
     std::vector<std::string> problems_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::io

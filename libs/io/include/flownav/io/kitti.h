@@ -5,7 +5,7 @@
 
 #include "flownav/io/image_sequence.h"
 
-namespace flownav {
+namespace flownav::io {
 
 /// Rectified images whose file names are numbers: number i has time i and pose i.
 class KittiImages : public ImageSequence {
@@ -44,4 +44,4 @@ class KittiRaw : public KittiImages {
              const CameraMount& mount);
 };
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -7,7 +7,7 @@
 #include "flownav/io/event_maker.h"
 #include "flownav/io/producer_settings.h"
 
-namespace flownav {
+namespace flownav::io {
 
 /// The fields (and poses) of a source that is opened as a sensor of rawlog-grabber: a camera, a stream, a
 /// video, a folder of images or a rawlog. CFlowObstacleSensor is built on this.
@@ -36,4 +36,4 @@ class LiveFields {
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -11,7 +11,7 @@
 #include "flownav/io/event_maker.h"
 #include "flownav/pipeline/step.h"
 
-namespace flownav {
+namespace flownav::io {
 
 /// FLOW_SCAN: the virtual scan of a finished cycle, horizontal, about the robot's axis on the ground. Only a
 /// beam that ends at an obstacle is valid. A bearing whose floor was confirmed is INVALID with the confirmed
@@ -34,4 +34,4 @@ mrpt::obs::CObservationOdometry::Ptr odometry_observation(const PoseSample& samp
 /// pixels are copied.
 mrpt::obs::CObservationImage::Ptr image_observation(const Field& field, const std::string& label);
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace flownav {
+namespace flownav::io {
 
 /// Something could not be written; what() names the file or folder and the reason.
 struct OutputError : std::runtime_error {
@@ -66,4 +66,4 @@ class GzOutputFile : public mrpt::io::CStream {
 /// into an exception of MRPT's own.
 void write_object(GzOutputFile& file, const mrpt::serialization::CSerializable& object);
 
-}  // namespace flownav
+}  // namespace flownav::io

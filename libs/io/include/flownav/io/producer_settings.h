@@ -7,13 +7,13 @@
 
 #include "flownav/config/config.h"
 
-namespace flownav {
+namespace flownav::io {
 
 /// One section of an ini of rawlog-grabber whose driver is CFlowObstacleSensor; CFlowObstacleSensor lists
 /// its keys.
 struct ProducerSettings {
     std::string section;
-    Config config;                                   ///< of flownav
+    config::Config config;                           ///< of flownav
     std::string grabber_type;                        ///< in lower case
     std::string source;                              ///< file, folder, URL or camera, for messages
     std::map<std::string, std::string> camera_keys;  ///< those of MRPT's CCameraSensor
@@ -34,4 +34,4 @@ ProducerSettings read_producer_settings(const mrpt::config::CConfigFileBase& ini
 /// ConfigError also when the file cannot be read, or has no such section or several.
 ProducerSettings read_producer_settings(const std::string& ini_file, const std::string& section = "");
 
-}  // namespace flownav
+}  // namespace flownav::io

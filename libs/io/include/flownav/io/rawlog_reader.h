@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace flownav {
+namespace flownav::io {
 
 /// The input cannot be opened or is no rawlog at all; what() names the file and the reason.
 struct InputError : std::runtime_error {
@@ -69,4 +69,4 @@ class RawlogReader {
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -7,12 +7,12 @@
 #include "flownav/config/config.h"
 #include "flownav/io/image_sequence.h"
 
-namespace flownav {
+namespace flownav::io {
 
 struct RecordingOptions {
     std::filesystem::path output;
     std::string camera_label = "CAMERA1";
-    Interlaced interlaced = Interlaced::None;  ///< split woven frames into fields
+    config::Interlaced interlaced = config::Interlaced::None;  ///< split woven frames into fields
     std::function<void(double share, std::uint64_t fields)> progress;
 };
 
@@ -27,4 +27,4 @@ struct RecordingCounts {
 /// OutputError, and leaves nothing behind then.
 RecordingCounts write_recording(ImageSequence& sequence, const RecordingOptions& options);
 
-}  // namespace flownav
+}  // namespace flownav::io

@@ -5,12 +5,12 @@
 #include "flownav/config/config.h"
 #include "flownav/io/image_sequence.h"
 
-namespace flownav {
+namespace flownav::io {
 
 /// The images of a video, made grey. Image i was taken at i / rate_hz; without a rate the video's own counts.
 class VideoFile : public ImageSequence {
   public:
-    VideoFile(const std::filesystem::path& file, CameraConfig camera, std::optional<double> rate_hz);
+    VideoFile(const std::filesystem::path& file, config::CameraConfig camera, std::optional<double> rate_hz);
     ~VideoFile() override;
 
     std::optional<SequenceFrame> next() override;
@@ -21,9 +21,9 @@ class VideoFile : public ImageSequence {
   private:
     struct Capture;
     std::unique_ptr<Capture> capture_;
-    CameraConfig camera_;
+    config::CameraConfig camera_;
     double rate_hz_ = 0.0;
     std::size_t at_ = 0;
 };
 
-}  // namespace flownav
+}  // namespace flownav::io

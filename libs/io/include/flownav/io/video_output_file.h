@@ -4,7 +4,7 @@
 #include <memory>
 #include <opencv2/core/mat.hpp>
 
-namespace flownav {
+namespace flownav::io {
 
 class VideoEncoder;
 
@@ -36,4 +36,4 @@ class VideoOutputFile {
     std::uint64_t pictures_ = 0;
 };
 
-}  // namespace flownav
+}  // namespace flownav::io

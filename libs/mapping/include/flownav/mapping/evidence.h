@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace flownav {
+namespace flownav::mapping {
 
 /// What one set says about one cell. A cell hears of each set once, however many vectors fell into it.
 struct Evidence {
@@ -17,4 +17,4 @@ struct Evidence {
     bool operator==(const Evidence& o) const { return cell == o.cell; }
 };
 
-}  // namespace flownav
+}  // namespace flownav::mapping

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 
-namespace flownav {
+namespace flownav::mapping {
 
 /// Cells of a map as map.pgm shows them.
 struct CellCounts {
@@ -18,4 +18,4 @@ CellCounts count_cells(const mrpt::maps::COccupancyGridMap2D& grid);
 /// Throws std::runtime_error naming the file that could not be written. Same grid, same bytes.
 void export_map(const mrpt::maps::COccupancyGridMap2D& grid, const std::filesystem::path& directory);
 
-}  // namespace flownav
+}  // namespace flownav::mapping

@@ -4,7 +4,7 @@
 
 #include "flownav/math/grid2d.h"
 
-namespace flownav {
+namespace flownav::mapping {
 
 /// The cells of a map. Use this instead of MRPT's x2idx() and getPos(), which round toward zero and so take
 /// the strip of one cell left of and below the map for its first column and row, and instead of idx2x(),
@@ -25,4 +25,4 @@ inline double p_free_at(const mrpt::maps::COccupancyGridMap2D& map, const GridAr
     return map.getCell(cell.x(), cell.y());
 }
 
-}  // namespace flownav
+}  // namespace flownav::mapping

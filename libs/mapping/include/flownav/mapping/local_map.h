@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "flownav/core/recycling_queue.h"
-#include "flownav/mapping/fusion.h"
+#include "flownav/mapping/global_map.h"
 #include "flownav/mapping/params.h"
 
-namespace flownav {
+namespace flownav::mapping {
 
 /// Map around the robot, x forward and y left, fused from the sets of the last `memory_s` seconds. Evidence
 /// is kept in cells of the MAP's frame: added when a set comes, taken away when it is forgotten. The grid in
@@ -64,4 +64,4 @@ class LocalMap {
     mrpt::maps::COccupancyGridMap2D grid_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::mapping

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace flownav {
+namespace flownav::mapping {
 
 struct MapParams {
     double resolution_m = 0.1;  ///< edge of a cell
@@ -8,4 +8,4 @@ struct MapParams {
     double memory_s = 6.0;      ///< the local map forgets evidence older than this
 };
 
-}  // namespace flownav
+}  // namespace flownav::mapping

@@ -4,7 +4,7 @@
 #include "flownav/core/ego_motion.h"
 #include "flownav/motion/ray_flow.h"
 
-namespace flownav {
+namespace flownav::motion {
 
 /// One vector that passed sifting.
 struct MotionSample {
@@ -22,25 +22,25 @@ struct OmegaSample {
 struct MotionScratch {
     /// One equation across e: turn * omega + pitch * pitch rate = measured, in units of the vector's
     /// deviation.
-    struct Across {
+    struct RotationEquation {
         double turn, pitch, measured, weight;
         double deviation_px;
         Eigen::Vector2d at;
     };
     /// The travel that one vector of the floor stands for, with its deviation.
-    struct Along {
+    struct TravelEquation {
         double travel_m, sigma_m;
     };
     /// The same equations side by side, for those who ask all of them the same again and again.
-    struct Votes {
+    struct InlierCounts {
         std::vector<double> turn, pitch, measured, deviation_px;
         std::vector<int> cell, agrees;
         std::vector<int> of_cell;  ///< votes of every cell
     };
     std::vector<OmegaSample> omegas;
-    std::vector<Across> across;
-    Votes votes;
-    std::vector<Along> floor, window;
+    std::vector<RotationEquation> rotation_equations;
+    InlierCounts inlier_counts;
+    std::vector<TravelEquation> floor, window;
     std::vector<double> values;
 };
 
@@ -64,4 +64,4 @@ EgoMotion unmeasured_motion(const MotionPrediction& prediction);
 /// Eq. (4), with e for a camera that travels along `travel`; meaningless where e and h are parallel.
 double omega_of(const RayFlow& ray, const PlaneGeometry& plane, const Eigen::Vector2d& travel);
 
-}  // namespace flownav
+}  // namespace flownav::motion

@@ -1,7 +1,7 @@
 #pragma once
 #include "flownav/core/derotation.h"
 
-namespace flownav {
+namespace flownav::motion {
 
 /// What the rotation estimate assumes.
 enum class MotionModel {
@@ -15,4 +15,4 @@ struct MotionParams {
     double lambda_px = 1.0;  ///< Eq. (11): largest distance of a vector from its line through the FOE
 };
 
-}  // namespace flownav
+}  // namespace flownav::motion

@@ -9,7 +9,7 @@
 #include "flownav/core/flow_vector.h"
 #include "flownav/motion/params.h"
 
-namespace flownav {
+namespace flownav::motion {
 
 /// Angles of a mount, in the order of the unknowns: pitch, roll, yaw; radians.
 using MountAngles = Eigen::Vector3d;
@@ -32,7 +32,7 @@ struct PoseEquations {
 
 /// How calm the robot drives: deviation of the camera's pitch and roll from one field of a pair to the other.
 /// What a drive gains in pitch it loses again, so the mean is zero; the calmer, the more a pair tells.
-struct Steadiness {
+struct PitchPrior {
     double pitch_rad = std::numeric_limits<double>::infinity();
     double roll_rad = std::numeric_limits<double>::infinity();
 };
@@ -61,7 +61,7 @@ struct PoseScratch {
 /// and travel eliminated: what is left is the pattern of the near floor's flow, above all the ratio of near
 /// and far. Vectors that do not move like the floor lose their weight (biweight). `motion` is the start.
 PairFit fit_pair(const std::vector<RayFlow>& rays, const CameraModel& camera, const EgoMotion& motion,
-                 Geometry geometry, const Steadiness& steadiness, PoseScratch& scratch);
+                 Geometry geometry, const PitchPrior& pitch_prior, PoseScratch& scratch);
 
 /// Correction of the angles, and the standard deviation of each; an angle that the pairs do not determine
 /// stays, with a deviation near `unknown_angle_rad`.
@@ -84,6 +84,6 @@ MountAngles systematic_sigma_rad(const PoseEquations& equations);
 using AngleMask = std::array<bool, 3>;
 
 /// The equations of some of the angles.
-PoseEquations only(const PoseEquations& equations, const AngleMask& unknown);
+PoseEquations select(const PoseEquations& equations, const AngleMask& unknown);
 
-}  // namespace flownav
+}  // namespace flownav::motion

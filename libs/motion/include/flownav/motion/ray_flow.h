@@ -5,7 +5,7 @@
 #include "flownav/core/plane_geometry.h"
 #include "flownav/motion/params.h"
 
-namespace flownav {
+namespace flownav::motion {
 
 /// A measured vector on the normalised plane: its ends are mapped by the cameras of their own fields, which
 /// takes care of field parity, lens distortion and roll.
@@ -53,4 +53,4 @@ class GroundFlow {
     double omega_rad_, pitch_rad_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::motion

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-namespace flownav {
+namespace flownav::motion {
 
 /// Eq. (6): centre of the shortest interval that holds half of the values. The first of several equally short
 /// ones; 0 for no values, the value for one, the mean for two. Sorts `values`.
@@ -13,4 +13,4 @@ double robust_deviation(std::vector<double>& values);
 /// Tukey's biweight for a residual in units of its scale: 1 at 0, 0 from 4.685 on.
 double biweight(double residual);
 
-}  // namespace flownav
+}  // namespace flownav::motion

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "flownav/nav/free_way.h"
+#include "flownav/nav/collision_free_distance.h"
 #include "flownav/nav/navigator.h"
 #include "flownav/nav/watchdog_sink.h"
 

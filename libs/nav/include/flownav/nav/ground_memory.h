@@ -41,7 +41,7 @@ class GroundMemory {
     int note(const mrpt::maps::COccupancyGridMap2D& local_map, double time_s, const Pose2& T_map_robot);
 
     /// The robot stands here: nothing else does.
-    void drive_over(const Polygon& footprint_m, double time_s, const Pose2& T_map_robot);
+    void mark_traversed(const Polygon& footprint_m, double time_s, const Pose2& T_map_robot);
 
     Ground at(const Eigen::Vector2d& at_m, double time_s) const;
     /// Driven over, seen to be free, or unknown next to ground that was seen to be free.

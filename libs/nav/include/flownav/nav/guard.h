@@ -10,7 +10,7 @@
 #include "flownav/core/pose2.h"
 #include "flownav/core/robot_model.h"
 #include "flownav/core/sensor_report.h"
-#include "flownav/nav/foresight.h"
+#include "flownav/nav/collision_checker.h"
 #include "flownav/nav/ground_memory.h"
 #include "flownav/nav/guard_reason.h"
 #include "flownav/nav/odometry_watch.h"
@@ -23,7 +23,7 @@ struct GuardParams {
     SensorWatchParams sensor;
     OdometryWatchParams odometry;
     GroundMemoryParams ground;
-    ForesightParams foresight;
+    CollisionCheckerParams collision_checker;
     bool needs_fields = true;   ///< false: the obstacles come from another sensor, only the map is watched
     double map_stale_s = 1.5;   ///< age of the newest local map
     double silent_s = 0.3;      ///< without a proposal; longer than the navigator's period
@@ -38,7 +38,7 @@ struct GuardParams {
 };
 
 /// What the motors are told, and why it is not what the navigator wants.
-struct Verdict {
+struct SafetyDecision {
     MotionCommand command;
     GuardAction action = GuardAction::Pass;
     GuardReason reason = GuardReason::None;
@@ -72,7 +72,7 @@ class Guard {
     void proposed(double time_s, const MotionCommand& command);
 
     /// What the motors are to do now. `T_map_robot`, `motion`: where the robot is and how it moves.
-    Verdict judge(double time_s, const Pose2& T_map_robot, const MotionCommand& motion);
+    SafetyDecision check(double time_s, const Pose2& T_map_robot, const MotionCommand& motion);
 
     /// The changes so far, at most events_max (the oldest are dropped).
     const std::deque<GuardEvent>& events() const { return events_; }
@@ -89,16 +89,16 @@ class Guard {
     bool may_turn_out(const Fault& fault, double time_s) const;
     MotionCommand limited() const;
     Fault objection(const Surroundings& now, const MotionCommand& candidate) const;
-    Verdict allow(const Surroundings& now, const MotionCommand& wanted) const;
-    Verdict sent(const Surroundings& now, const Verdict& verdict);
-    void log(double time_s, const Verdict& verdict);
+    SafetyDecision allow(const Surroundings& now, const MotionCommand& wanted) const;
+    SafetyDecision sent(const Surroundings& now, const SafetyDecision& safety);
+    void log(double time_s, const SafetyDecision& safety);
 
     RobotModel robot_;
     GuardParams params_;
     SensorWatch sensor_;
     OdometryWatch odometry_;
     GroundMemory ground_;
-    Foresight foresight_;
+    CollisionChecker collision_checker_;
     std::optional<TimedCommand> proposal_;
     std::optional<double> map_s_;
     std::optional<Moment> last_;             ///< judgement

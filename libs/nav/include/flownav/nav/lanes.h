@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "flownav/core/robot_model.h"
-#include "flownav/nav/free_way.h"
+#include "flownav/nav/collision_free_distance.h"
 #include "flownav/nav/lane_tables.h"
 
 namespace flownav::nav {
@@ -55,7 +55,7 @@ struct LaneView {
 
 struct LaneDecision {
     MotionCommand command;
-    FreeWay way;                     ///< of the chosen lane
+    CollisionFreeDistance way;                     ///< of the chosen lane
     bool stuck = false;              ///< no lane is open
     int lane = -1;                   ///< chosen of `lanes`
     int heading = -1;                ///< chosen of `headings`: turns on the spot

@@ -25,7 +25,7 @@ class Watchdog : public WatchdogSink {
 
   private:
     using Clock = std::chrono::steady_clock;
-    enum class State { Off, Waiting, Barked, Ended };
+    enum class State { Off, Waiting, Expired, Ended };
 
     void watch();
 

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace flownav {
+namespace flownav::obstacles {
 
 struct ObstacleParams {
     double tau_px = 1.25;       ///< Eq. (13): how much longer than on the ground a vector must be
@@ -11,4 +11,4 @@ struct ObstacleParams {
     double beam_deg = 2.0;      ///< width of one beam of the virtual scan
 };
 
-}  // namespace flownav
+}  // namespace flownav::obstacles

@@ -6,7 +6,7 @@
 #include "flownav/core/virtual_scan.h"
 #include "flownav/obstacles/params.h"
 
-namespace flownav {
+namespace flownav::obstacles {
 
 /// An empty scan that covers the camera's horizontal view in beams of params.beam_deg; all beams Unknown.
 VirtualScan scan_layout(const RayMapper& mapper, const ObstacleParams& params);
@@ -16,4 +16,4 @@ VirtualScan scan_layout(const RayMapper& mapper, const ObstacleParams& params);
 void fill_scan(VirtualScan& scan, const std::vector<ObstaclePoint>& points,
                std::vector<GroundPatch>& patches);
 
-}  // namespace flownav
+}  // namespace flownav::obstacles

@@ -15,9 +15,9 @@ struct RateParams {
 };
 
 struct Params {
-    FlowParams flow;
-    MotionParams motion;
-    ObstacleParams obstacles;
+    flow::FlowParams flow;
+    motion::MotionParams motion;
+    obstacles::ObstacleParams obstacles;
     RateParams rate;
     bool pitch_online = false;  ///< learn the camera's true pitch while driving
     int threads = 1;            ///< of the block matching; the result does not depend on it

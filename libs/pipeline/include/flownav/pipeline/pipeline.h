@@ -13,7 +13,7 @@ namespace flownav::pipeline {
 class State {
   public:
     explicit State(const Params& params);
-    State(const Params& params, Matcher matcher);  ///< with vectors from elsewhere
+    State(const Params& params, flow::Matcher matcher);  ///< with vectors from elsewhere
     ~State();
     State(State&&) noexcept;
     State& operator=(State&&) noexcept;

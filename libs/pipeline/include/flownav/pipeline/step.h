@@ -16,7 +16,7 @@ struct BlockRecord {
     Eigen::Vector2d predicted_px = Eigen::Vector2d::Zero();  ///< flow the prediction expected there (ground)
     RayFlow ray;                                             ///< `vector` on the normalised plane
     int image_of_cycle = 0;                                  ///< image j the vector was measured in; 0: none
-    BlockFate fate = BlockFate::Unplaced;
+    BlockLabel label = BlockLabel::Unplaced;
     bool in_ground_window = false;
     bool fresh = false;      ///< measured in THIS field
     double omega_rad = 0.0;  ///< Eq. (4) of this vector

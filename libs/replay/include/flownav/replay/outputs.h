@@ -9,13 +9,13 @@
 #include "flownav/evaluation/drive.h"
 #include "flownav/evaluation/trajectory_file.h"
 #include "flownav/io/flow_field_file.h"
-#include "flownav/mapping/fusion.h"
+#include "flownav/mapping/global_map.h"
 #include "flownav/pipeline/step.h"
 #include "flownav/replay/result_rawlog.h"
 #include "flownav/report/drive_video.h"
-#include "flownav/report/filmstrip.h"
+#include "flownav/report/thumbnail_strip.h"
 
-namespace flownav {
+namespace flownav::replay {
 
 /// What is written only when asked for.
 struct OptionalOutputs {
@@ -31,34 +31,36 @@ const std::vector<const char*>& output_names();
 /// drive. Everything throws OutputError when it cannot be written.
 class Outputs {
   public:
-    Outputs(std::filesystem::path folder, const Config& config, const OptionalOutputs& optional);
+    Outputs(std::filesystem::path folder, const config::Config& config, const OptionalOutputs& optional);
 
     /// Enters what a finished cycle saw into the map; comes before write().
     void map(const pipeline::Step& step);
     void write(const Field& field, const pipeline::Step& step);
-    const DriveMap& drive_map() const { return map_; }
-    void write_odometry(const PoseSample& sample) { rawlog_.write_odometry(sample); }
+    const mapping::GlobalMap& global_map() const { return map_; }
+    void write_odometry(const io::PoseSample& sample) { rawlog_.write_odometry(sample); }
 
     /// Pose tracks, map and report, with `timing` in it unless null; fills drive.written.
-    void finish(Drive& drive, const Filmstrip& filmstrip, const Timing* timing = nullptr);
+    void finish(evaluation::Drive& drive, const report::ThumbnailStrip& thumbnail_strip,
+                const evaluation::Timing* timing = nullptr);
 
     /// summary.json, which counts what finish() wrote.
-    void write_summary(const Drive& drive, const Timing& timing);
+    void write_summary(const evaluation::Drive& drive, const evaluation::Timing& timing);
 
   private:
-    std::uint64_t write_track(const char* name, const PoseTrack& track, const Drive& drive);
+    std::uint64_t write_track(const char* name, const evaluation::PoseTrack& track,
+                              const evaluation::Drive& drive);
 
     std::filesystem::path folder_;
-    Config config_;
+    config::Config config_;
     bool keep_images_;
-    WrittenCounts written_;
-    TrajectoryFile trajectory_;
-    EgomotionCsv egomotion_;
-    ObstaclesCsv obstacles_;
+    evaluation::WrittenCounts written_;
+    evaluation::TrajectoryFile trajectory_;
+    evaluation::EgomotionCsv egomotion_;
+    evaluation::ObstaclesCsv obstacles_;
     ResultRawlog rawlog_;
-    DriveMap map_;
-    std::optional<DriveVideo> video_;
-    std::optional<FlowFieldFile> flow_field_;
+    mapping::GlobalMap map_;
+    std::optional<report::DriveVideo> video_;
+    std::optional<io::FlowFieldFile> flow_field_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::replay

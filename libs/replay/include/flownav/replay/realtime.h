@@ -4,12 +4,12 @@
 
 #include "flownav/replay/replay.h"
 
-namespace flownav {
+namespace flownav::replay {
 
 struct RealtimeOptions {
     std::filesystem::path input;   ///< a rawlog
     std::filesystem::path output;  ///< folder for realtime.json; empty: nothing is written
-    Config config;
+    config::Config config;
     std::optional<double> duration_s;                ///< empty: the recording once
     std::uint64_t memory_max_bytes = 2'000'000'000;  ///< of the fields, which are held decoded
 };
@@ -19,4 +19,4 @@ struct RealtimeOptions {
 /// the figures. Never throws on bad input or full disks.
 ReplayResult replay_realtime(const RealtimeOptions& options);
 
-}  // namespace flownav
+}  // namespace flownav::replay

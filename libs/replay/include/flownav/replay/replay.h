@@ -7,15 +7,15 @@
 #include "flownav/config/config.h"
 #include "flownav/replay/outputs.h"
 
-namespace flownav {
+namespace flownav::replay {
 
 struct ReplayOptions {
     std::filesystem::path input;   ///< a rawlog
     std::filesystem::path output;  ///< folder, made when it is missing; what is in it is overwritten
-    Config config;
+    config::Config config;
     OptionalOutputs optional;
-    bool timing_in_report = false;                       ///< then report.html differs from run to run
-    Progress::Style progress = Progress::Style::Silent;  ///< on the standard output
+    bool timing_in_report = false;  ///< then report.html differs from run to run
+    cli::Progress::Style progress = cli::Progress::Style::Silent;  ///< on the standard output
 };
 
 enum class ExitStatus {
@@ -36,4 +36,4 @@ struct ReplayResult {
 /// throws on bad input or full disks: the result says what happened.
 ReplayResult replay(const ReplayOptions& options);
 
-}  // namespace flownav
+}  // namespace flownav::replay

@@ -11,7 +11,7 @@
 #include "flownav/io/output_file.h"
 #include "flownav/pipeline/step.h"
 
-namespace flownav {
+namespace flownav::replay {
 
 /// result.rawlog: a gz list of observations of MRPT's standard classes, in the order they are given.
 class ResultRawlog {
@@ -24,7 +24,7 @@ class ResultRawlog {
     void write(const pipeline::Step& step);
 
     /// A copy of the robot's own odometry.
-    void write_odometry(const PoseSample& sample);
+    void write_odometry(const io::PoseSample& sample);
 
     /// The field as it was used: grey, one parity, with the calibration and camera pose that were used.
     void write_image(const Field& field, const std::string& label);
@@ -36,9 +36,9 @@ class ResultRawlog {
   private:
     void write_object(const mrpt::obs::CObservation& observation);
 
-    GzOutputFile file_;
+    io::GzOutputFile file_;
     double range_max_m_;
     std::map<std::string, std::uint64_t> counts_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::replay

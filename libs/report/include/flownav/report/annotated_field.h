@@ -5,10 +5,10 @@
 #include "flownav/pipeline/step.h"
 #include "flownav/report/field_drawing.h"
 
-namespace flownav {
+namespace flownav::report {
 
 /// A picture for people (8-bit BGR): the field, stretched so that shapes look right although a PAL field has
-/// half the lines; every measured block coloured by its fate with its vector as an arrow that ends where the
+/// half the lines; every measured block coloured by its label with its vector as an arrow that ends where the
 /// block is now; below it a legend with counts and the state of the step. Colours stay apart for colour-blind
 /// eyes.
 cv::Mat annotated_field(const Field& field, const pipeline::Step& step);
@@ -16,4 +16,4 @@ cv::Mat annotated_field(const Field& field, const pipeline::Step& step);
 /// The same at a given scale, without legend.
 cv::Mat marked_field(const Field& field, const pipeline::Step& step, const FieldScale& scale);
 
-}  // namespace flownav
+}  // namespace flownav::report

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace flownav {
+namespace flownav::report {
 
 /// A line of a chart: a value for every time of the chart.
 struct ReportSeries {
@@ -37,4 +37,4 @@ struct ReportChart {
 /// that neither a spike nor an interruption is lost.
 ReportChart thinned(ReportChart chart, std::size_t most);
 
-}  // namespace flownav
+}  // namespace flownav::report

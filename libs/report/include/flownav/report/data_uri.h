@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace flownav {
+namespace flownav::report {
 
 /// A picture inside a page: the bytes of a file ("image/jpeg") as text, for src='...'.
 std::string data_uri(const std::string& type, const std::vector<std::uint8_t>& bytes);
@@ -12,4 +12,4 @@ std::string data_uri(const std::string& type, const std::vector<std::uint8_t>& b
 /// The same of a picture, as PNG.
 std::string png_uri(const cv::Mat& picture);
 
-}  // namespace flownav
+}  // namespace flownav::report

@@ -9,7 +9,7 @@
 #include "flownav/pipeline/step.h"
 #include "flownav/report/map_window.h"
 
-namespace flownav {
+namespace flownav::report {
 
 /// A video (H.264 in MP4, 25 pictures a second) of a drive: the annotated field, side by side with the map as
 /// it was known at that moment. It runs as fast as the drive did, whatever the camera's rate; of a pause in
@@ -35,7 +35,7 @@ class DriveVideo {
     void remember(const pipeline::Step& step);
     void put();
 
-    VideoOutputFile file_;
+    io::VideoOutputFile file_;
     double map_size_m_;
     MapWindowScene scene_;
     double driven_m_ = 0.0;
@@ -46,4 +46,4 @@ class DriveVideo {
     cv::Mat picture_;
 };
 
-}  // namespace flownav
+}  // namespace flownav::report

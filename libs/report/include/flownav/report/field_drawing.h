@@ -3,9 +3,9 @@
 
 #include "flownav/core/field.h"
 #include "flownav/pipeline/step.h"
-#include "flownav/report/fate_style.h"
+#include "flownav/report/label_style.h"
 
-namespace flownav {
+namespace flownav::report {
 
 /// From pixels of a field to pixels of its picture.
 struct FieldScale {
@@ -25,16 +25,16 @@ double pixel_aspect(const Field& field);
 /// The field as an 8-bit BGR picture, scaled.
 cv::Mat scaled_field(const Field& field, const FieldScale& scale);
 
-/// True when the record has something to show for a block of this fate.
-bool is_drawn(const pipeline::BlockRecord& block, BlockFate fate);
+/// True when the record has something to show for a block of this label.
+bool is_drawn(const pipeline::BlockRecord& block, BlockLabel label);
 
-/// Tints every block of the style's fate where it is now; obstacles, movers and candidates get a frame.
+/// Tints every block of the style's label where it is now; obstacles, movers and candidates get a frame.
 void tint_blocks(cv::Mat& picture, const pipeline::Step& step, const FieldScale& scale,
-                 const FateStyle& style);
+                 const LabelStyle& style);
 
-/// Draws the vectors of every block of the style's fate as arrows with a dark rim, which shows on light and
+/// Draws the vectors of every block of the style's label as arrows with a dark rim, which shows on light and
 /// dark ground; ambiguous blocks as dots.
 void draw_vectors(cv::Mat& picture, const pipeline::Step& step, const FieldScale& scale,
-                  const FateStyle& style);
+                  const LabelStyle& style);
 
-}  // namespace flownav
+}  // namespace flownav::report

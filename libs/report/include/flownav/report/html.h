@@ -3,7 +3,7 @@
 #include <vector>
 
 /// Small pieces of web pages.
-namespace flownav::html {
+namespace flownav::report::html {
 
 /// Text with the characters replaced that mean something in HTML.
 std::string escaped(const std::string& text);
@@ -31,4 +31,4 @@ std::string row(const std::vector<Cell>& cells, const std::string& key = "");
 /// `rows` is HTML.
 std::string table(const std::vector<Cell>& head, const std::string& rows);
 
-}  // namespace flownav::html
+}  // namespace flownav::report::html

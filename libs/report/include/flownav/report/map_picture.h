@@ -6,7 +6,7 @@
 
 #include "flownav/evaluation/field_row.h"
 
-namespace flownav {
+namespace flownav::report {
 
 /// The known part of a map, and its place in the frame of the map.
 struct MapPicture {
@@ -18,6 +18,7 @@ struct MapPicture {
 
 /// As much of the map as is known, and the path. The cells are empty when nothing is known. Maps of more than
 /// 4000 cells a side come with larger cells.
-MapPicture map_picture(const mrpt::maps::COccupancyGridMap2D& grid, const std::vector<FieldRow>& rows);
+MapPicture map_picture(const mrpt::maps::COccupancyGridMap2D& grid,
+                       const std::vector<evaluation::FieldRow>& rows);
 
-}  // namespace flownav
+}  // namespace flownav::report

@@ -7,7 +7,7 @@
 
 #include "flownav/core/pose2.h"
 
-namespace flownav {
+namespace flownav::report {
 
 /// What is drawn on the map, all of it in the map's frame.
 struct MapWindowScene {
@@ -21,4 +21,4 @@ struct MapWindowScene {
 cv::Mat map_window(const mrpt::maps::COccupancyGridMap2D& grid, const MapWindowScene& scene, double size_m,
                    int size_px);
 
-}  // namespace flownav
+}  // namespace flownav::report

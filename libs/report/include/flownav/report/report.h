@@ -5,14 +5,14 @@
 
 #include "flownav/config/config.h"
 #include "flownav/evaluation/drive.h"
-#include "flownav/report/filmstrip.h"
+#include "flownav/report/thumbnail_strip.h"
 
-namespace flownav {
+namespace flownav::report {
 
 /// report.html: one file that opens offline, with linked charts over time, way, map, annotated fields and
 /// every figure in words. The same drive gives the same bytes, unless the times of `timing` shall be shown.
-std::string report_html(const Drive& drive, const Filmstrip& filmstrip,
-                        const mrpt::maps::COccupancyGridMap2D& map, const Config& config,
-                        const Timing* timing = nullptr);
+std::string report_html(const evaluation::Drive& drive, const ThumbnailStrip& thumbnail_strip,
+                        const mrpt::maps::COccupancyGridMap2D& map, const config::Config& config,
+                        const evaluation::Timing* timing = nullptr);
 
-}  // namespace flownav
+}  // namespace flownav::report

@@ -5,7 +5,7 @@
 
 #include "flownav/evaluation/pose_fit.h"
 
-namespace flownav {
+namespace flownav::report {
 
 /// Mean disagreement of the floor's vectors with the ground plane, in cells of the image.
 struct ResidualField {
@@ -21,11 +21,12 @@ struct ResidualComparison {
     ResidualField before, after;
 };
 
-ResidualComparison compare_residuals(const std::vector<CalibrationPair>& pairs, const MountAngles& before_rad,
-                                     const MountAngles& after_rad);
+ResidualComparison compare_residuals(const std::vector<evaluation::CalibrationPair>& pairs,
+                                     const motion::MountAngles& before_rad,
+                                     const motion::MountAngles& after_rad);
 
 /// The two side by side as arrows on a dimmed field (8-bit BGR), each under its title.
 cv::Mat residual_picture(const Field& background, const ResidualComparison& residuals,
                          const std::string& before_title, const std::string& after_title);
 
-}  // namespace flownav
+}  // namespace flownav::report

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <deque>
+#include <vector>
+
+#include "flownav/core/pose2.h"
+#include "flownav/core/robot_model.h"
+#include "flownav/nav/ground_memory.h"
+#include "flownav/nav/stopping_path.h"
+
+namespace flownav::nav {
+
+struct CollisionCheckerParams {
+    double period_s = 0.06;     ///< a command is in force for so long at least
+    double touch_m = 0.02;      ///< distance that is kept to obstacles, even when crawling,
+    double margin_s = 0.1;      ///< and what the fastest point of the outline moves in this time
+    double crawl_mps = 0.1;     ///< fastest point of the outline of a robot that crawls
+    double unseen_max_m = 0.1;  ///< of the outline may pass over unseen ground and it still counts as seen
+};
+
+/// A cell of something that stands there.
+struct NearObstacle {
+    Eigen::Vector2d at_m = Eigen::Vector2d::Zero();  ///< robot frame
+    double distance_m = 0.0;  ///< from the footprint; < 0: a little inside it, as a map is not exact
+};
+
+/// Where a robot stands, how it moves, and what is near.
+struct Surroundings {
+    double time_s = 0.0;
+    Pose2 T_map_robot;
+    MotionCommand motion;
+    std::vector<NearObstacle> obstacles;  ///< within reach
+    double nearest_m = 0.0;               ///< the least distance of those outside the footprint
+};
+
+/// What a command, and a stop right after it, would lead to.
+struct Forecast {
+    bool touches = false;
+    bool unseen = false;
+    Eigen::Vector2d where_m = Eigen::Vector2d::Zero();  ///< the obstacle, robot frame
+};
+
+/// Looks ahead along the way a robot takes until it stands.
+class CollisionChecker {
+  public:
+    CollisionChecker(const RobotModel& robot, const CollisionCheckerParams& params, double cell_m);
+
+    Surroundings look(const GroundMemory& ground, double time_s, const Pose2& T_map_robot,
+                      const MotionCommand& motion) const;
+
+    /// `sent`: the commands before; the candidate is in force for `hold_s`.
+    Forecast forecast(const GroundMemory& ground, const Surroundings& now, const std::deque<TimedCommand>& sent,
+                    const MotionCommand& candidate, double hold_s) const;
+
+    /// Of the fastest point of the outline, at most.
+    double outline_mps(const MotionCommand& command) const;
+
+  private:
+    double reach_m(const MotionCommand& motion) const;
+    double margin_m(const Surroundings& now, const NearObstacle& obstacle,
+                    const MotionCommand& candidate) const;
+    bool touches(const Surroundings& now, const Pose2& T_robot_then, const MotionCommand& candidate,
+                 Eigen::Vector2d& where_m) const;
+    bool is_unseen(const GroundMemory& ground, const Surroundings& now, const Pose2& T_robot_then) const;
+
+    RobotModel robot_;
+    CollisionCheckerParams params_;
+    double cell_m_;
+    double radius_m_;                         ///< of the circle about the footprint
+    std::vector<Eigen::Vector2d> outline_m_;  ///< points all around the footprint, a little inside
+};
+
+}  // namespace flownav::nav

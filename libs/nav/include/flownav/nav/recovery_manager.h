@@ -1,0 +1,123 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flownav/core/navigation_params.h"
+#include "flownav/nav/navigator.h"
+#include "flownav/nav/planner.h"
+
+namespace flownav::nav {
+
+/// What the recovery manager is doing. From Driving, when it is stuck, through the recoveries and back.
+enum class RecoveryState {
+    Driving,       ///< the navigator drives to the way point
+    TurningToWay,  ///< in place, toward the plan
+    LookingLeft,   ///< in place
+    LookingRight,  ///< in place, past the middle
+    BackingOff,    ///< straight back, over ground that was seen or driven over
+    CreepingOn,    ///< slowly straight on, out of a place where it can neither turn nor back off
+    Arrived,       ///< standing at the goal; final
+    Blocked,       ///< standing, out of ideas; final
+};
+
+/// The word of a state, as logs have it.
+const char* to_string(RecoveryState state);
+
+struct RecoveryParams {
+    PlanPolicy plan = PlanPolicy::Always;
+    PlanParams planner;
+    double goal_radius_m = 0.3;  ///< arrived when this near
+    double stuck_s = 0.8;        ///< the navigator sees no way for so long: a recovery
+    double held_s = 1.5;         ///< it wants to move, and the guard does not let it: likewise
+    double no_progress_s = 6.0;  ///< without coming 0.15 m nearer: a recovery
+    double back_off_m = 0.35;    ///< as far as known ground lasts
+    double creep_on_m = 0.2;
+    double creep_mps = 0.08;  ///< slow enough for the guard to let it stay as near to things as it is
+    double look_rad = 0.9;    ///< to either side
+    double away_rad = 0.5;    ///< from the side of a way point in the robot's frame
+    double turn_radps = 0.5;  ///< of recoveries; at most the robot's
+    int recoveries_max = 20;  ///< without progress: blocked
+};
+
+/// What the recovery manager decided, and all that a log or a picture shows of it.
+struct RecoveryDecision {
+    RecoveryState state = RecoveryState::Driving;
+    MotionCommand command;
+    Eigen::Vector2d waypoint_m = Eigen::Vector2d::Zero();  ///< map frame
+    std::vector<Eigen::Vector2d> path_m;                   ///< the plan, map frame; empty: none
+    double free_m = 0.0;                                   ///< see Decision
+    bool last_goal = false;                                ///< all way points but the goal have been reached
+    std::string why;
+};
+
+/// Leads a local navigator to a goal, past dead ends: plans way points on the map of everything seen, and
+/// frees the robot with recoveries when it is stuck. Its state machine:
+///
+///     Driving -> (stuck, held by the guard, or no progress) -> one recovery -> Driving; they take turns:
+///     TurningToWay, BackingOff then TurningToWay, LookingLeft then LookingRight then TurningToWay;
+///     a step that the guard does not allow is left out
+///     Driving -> (goal reached) -> Arrived       Driving -> (recoveries_max in one place) -> Blocked
+///
+/// Decides from what it is given; no clock.
+class RecoveryManager {
+  public:
+    /// `goals_m`: way points in the map frame, the last one is the goal. Throws std::invalid_argument: none.
+    RecoveryManager(const RobotModel& robot, const RecoveryParams& params, std::unique_ptr<Navigator> navigator,
+          std::vector<Eigen::Vector2d> goals_m);
+
+    /// A robot that follows a way point fixed in ITS OWN frame, for ever. Its recoveries are BackingOff
+    /// alone, and BackingOff, LookingLeft, LookingRight.
+    RecoveryManager(const RobotModel& robot, std::unique_ptr<Navigator> navigator,
+          const Eigen::Vector2d& waypoint_robot_m);
+
+    /// Called every 100 or 200 ms. `map` holds everything seen so far, map frame.
+    RecoveryDecision decide(const Situation& situation, const mrpt::maps::COccupancyGridMap2D& map);
+
+  private:
+    struct Progress {
+        double time_s = 0.0;
+        double to_go_m = 0.0;
+    };
+
+    void note_trail(const Pose2& T_map_robot);
+    bool is_at_goal(const Situation& situation);
+    void aim(const Situation& situation, const mrpt::maps::COccupancyGridMap2D& map);
+    void drive(const Situation& situation);
+    void note_progress(const Situation& situation);
+    bool is_held(const Situation& situation);
+    void begin_recovery(const Situation& situation);
+    std::vector<RecoveryState> sequence_to_goal() const;
+    std::vector<RecoveryState> sequence_of_follower() const;
+    void avoid_this_place(const Situation& situation);
+    void enter(RecoveryState state, const Situation& situation);
+    void recovery(const Situation& situation);
+    void turn_to(double yaw_rad, const Situation& situation);
+    void back_off(const Situation& situation, double far_enough_m);
+    void creep_on(const Situation& situation);
+    void next_of_sequence(const Situation& situation);
+
+    RobotModel robot_;
+    RecoveryParams params_;
+    std::unique_ptr<Navigator> navigator_;
+    std::vector<Eigen::Vector2d> goals_m_;
+    std::optional<Eigen::Vector2d> waypoint_robot_m_;
+    std::size_t goal_ = 0;  ///< the one that is driven to
+    RecoveryDecision decision_;
+    std::optional<Plan> plan_;
+    Progress best_;  ///< nearest to the goal so far, and when
+    std::optional<double> stuck_since_s_;
+    double moved_s_ = 0.0;  ///< when it last moved, or did not want to
+    Pose2 moved_to_;
+    std::deque<Pose2> trail_;           ///< where it came from, map frame
+    bool planning_ = false;             ///< PlanPolicy::Stuck: until the next goal
+    int recoveries_ = 0;                ///< since the last progress
+    std::vector<RecoveryState> sequence_;  ///< of the running recovery, the next step last
+    double entered_s_ = 0.0;            ///< when the state began
+    Pose2 entered_at_;                  ///< and where
+};
+
+}  // namespace flownav::nav

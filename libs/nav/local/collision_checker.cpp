@@ -1,0 +1,133 @@
+#include "flownav/nav/collision_checker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "flownav/nav/motion_model.h"
+
+namespace flownav::nav {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double outline_step_m = 0.05;
+constexpr double inside_cells = 0.75;
+constexpr double overspeed_factor = 1.5;  // a robot may be this much faster than its model
+constexpr double rounding_m = 1e-7;
+constexpr double inexact_m =
+    0.06;  // by which a map may show something inside the robot that stands before it
+
+/// Points all along the outline, a little inside, where the cells below the robot are driven over.
+std::vector<Vector2d> points_around(const Polygon& polygon, double inside_m) {
+    std::vector<Vector2d> points;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vector2d& a = polygon[i];
+        const Vector2d side = polygon[(i + 1) % polygon.size()] - a;
+        const Vector2d inward = Vector2d(-side.y(), side.x()).normalized() * inside_m;
+        const int steps = std::max(1, static_cast<int>(std::ceil(side.norm() / outline_step_m)));
+        for (int k = 0; k < steps; ++k) points.emplace_back(a + side * (k + 0.5) / steps + inward);
+    }
+    return points;
+}
+
+/// The path, and what a robot that came to stand a little later would pass.
+std::vector<Pose2> prolonged(std::vector<Pose2> path, const MotionCommand& command, double time_s) {
+    const Pose2 end = path.back();
+    for (const double share : {0.5, 1.0}) path.push_back(compose(end, pose_after(command, share * time_s)));
+    return path;
+}
+
+}  // namespace
+
+CollisionChecker::CollisionChecker(const RobotModel& robot, const CollisionCheckerParams& params, double cell_m)
+    : robot_(robot),
+      params_(params),
+      cell_m_(cell_m),
+      radius_m_(circumscribed_radius_m(robot.footprint_m)),
+      outline_m_(points_around(robot.footprint_m, inside_cells * cell_m)) {}
+
+double CollisionChecker::outline_mps(const MotionCommand& command) const {
+    return std::abs(command.v_mps) + std::abs(command.omega_radps) * radius_m_;
+}
+
+double CollisionChecker::reach_m(const MotionCommand& motion) const {
+    const double fastest_mps = std::max({std::abs(motion.v_mps), robot_.v_max_mps, robot_.v_back_mps});
+    const double outline =
+        fastest_mps + std::max(robot_.omega_max_radps, std::abs(motion.omega_radps)) * radius_m_;
+    return stopping_distance_m(robot_, fastest_mps) + fastest_mps * params_.period_s + 2.0 * radius_m_ +
+           params_.touch_m + params_.margin_s * outline;
+}
+
+Surroundings CollisionChecker::look(const GroundMemory& ground, double time_s, const Pose2& T_map_robot,
+                             const MotionCommand& motion) const {
+    Surroundings now{time_s, T_map_robot, motion, {}, std::numeric_limits<double>::infinity()};
+    now.motion.v_mps = std::clamp(motion.v_mps, -overspeed_factor * robot_.v_back_mps, overspeed_factor * robot_.v_max_mps);
+    now.motion.omega_radps =
+        std::clamp(motion.omega_radps, -overspeed_factor * robot_.omega_max_radps, overspeed_factor * robot_.omega_max_radps);
+    const Pose2 T_robot_map = inverse(T_map_robot);
+    const Vector2d here(T_map_robot.x_m, T_map_robot.y_m);
+    for (const Vector2d& obstacle : ground.obstacles(here, reach_m(now.motion), time_s)) {
+        const Vector2d p = transform(T_robot_map, obstacle);
+        const double distance_m = signed_distance_m(robot_.footprint_m, p);
+        if (distance_m < -inexact_m) continue;  // what stands where the robot stands is none
+        now.obstacles.push_back({p, distance_m});
+        if (distance_m > 0.0) now.nearest_m = std::min(now.nearest_m, distance_m);
+    }
+    return now;
+}
+
+/// A crawling robot may stay as near as it is, but come no nearer.
+double CollisionChecker::margin_m(const Surroundings& now, const NearObstacle& obstacle,
+                           const MotionCommand& candidate) const {
+    const double touch_m = params_.touch_m + cell_m_ / 2;
+    const double fast_mps = outline_mps(candidate) - params_.crawl_mps;
+    if (fast_mps > rounding_m) return touch_m + params_.margin_s * fast_mps;
+    return std::min(touch_m, std::min(now.nearest_m, obstacle.distance_m) - rounding_m);
+}
+
+bool CollisionChecker::touches(const Surroundings& now, const Pose2& T_robot_then, const MotionCommand& candidate,
+                        Vector2d& where_m) const {
+    const Pose2 T_then_robot = inverse(T_robot_then);
+    for (const NearObstacle& obstacle : now.obstacles) {
+        const Vector2d p = transform(T_then_robot, obstacle.at_m);
+        const double margin = margin_m(now, obstacle, candidate);
+        if (p.norm() > radius_m_ + margin) continue;
+        if (signed_distance_m(robot_.footprint_m, p) >= margin) continue;
+        where_m = obstacle.at_m;
+        return true;
+    }
+    return false;
+}
+
+bool CollisionChecker::is_unseen(const GroundMemory& ground, const Surroundings& now,
+                          const Pose2& T_robot_then) const {
+    const Pose2 T_map_then = compose(now.T_map_robot, T_robot_then);
+    const int most = static_cast<int>(params_.unseen_max_m / outline_step_m);
+    int unseen = 0;
+    for (const Vector2d& point : outline_m_) {
+        unseen += !ground.is_seen(transform(T_map_then, point), now.time_s);
+        if (unseen > most) return true;
+    }
+    return false;
+}
+
+Forecast CollisionChecker::forecast(const GroundMemory& ground, const Surroundings& now,
+                           const std::deque<TimedCommand>& sent, const MotionCommand& candidate,
+                           double hold_s) const {
+    const std::vector<Pose2> path =
+        stopping_path(robot_, now.motion, sent, now.time_s, {now.time_s, candidate}, hold_s);
+    Forecast forecast;
+    forecast.touches = std::any_of(path.begin() + 1, path.end(), [&](const Pose2& T_robot_then) {
+        return touches(now, T_robot_then, candidate, forecast.where_m);
+    });
+    if (forecast.touches) return forecast;
+    const double spare_s = 2.0 * inside_cells * cell_m_ / outline_mps(candidate);
+    const std::vector<Pose2> on = prolonged(path, candidate, spare_s);
+    forecast.unseen = std::any_of(on.begin() + 1, on.end(), [&](const Pose2& T_robot_then) {
+        return is_unseen(ground, now, T_robot_then);
+    });
+    return forecast;
+}
+
+}  // namespace flownav::nav
