@@ -1,5 +1,6 @@
 #include "calibrate_app.h"
 
+#include <iostream>
 #include <optional>
 
 #include "flownav/calibration/calibration.h"
@@ -44,7 +45,7 @@ struct CommandLine {
     bool quiet = false;
 };
 
-/// What the arguments ask for, or nothing when they have been answered; then `status` says how.
+/// Parses the arguments; empty when they have been answered, with the exit status in `status`.
 std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std::ostream& out,
                                  std::ostream& error, int& status) {
     TCLAP::CmdLine command("", ' ', version());
@@ -58,12 +59,9 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
     TCLAP::SwitchArg odometry("", "odometry", "", command);
     TCLAP::SwitchArg quiet("", "quiet", "", command);
 
-    std::vector<const char*> argv;
-    argv.reserve(arguments.size());
-    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-    const bool parsed = command.parse(static_cast<int>(argv.size()), argv.data());
+    const bool parsed = cli::parse_arguments(command, arguments);
     const std::string input = inputs.isSet() ? inputs.getValue().front() : "";
-    if (parsed && input.rfind('-', 0) == 0) {  // TCLAP takes an unknown option for the input
+    if (parsed && input.rfind('-', 0) == 0) {  // TCLAP takes an unknown option as the input
         output.fail("unknown argument " + input);
     } else if (parsed && (inputs.getValue().size() != 1 || !file.isSet())) {
         output.fail("needs one INPUT.rawlog and --output CAM.ini");
@@ -77,7 +75,7 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
     result.options.picture = picture.getValue();
     result.options.config = cli::configuration(config.getValue(), settings.getValue());
     result.options.odometry = odometry.getValue();
-    if (!result.quiet) result.options.progress = cli::Progress::style_for(stdout);
+    if (!result.quiet) result.options.progress = cli::Progress::style_for(std::cout);
     return result;
 }
 

@@ -10,7 +10,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto tick = std::chrono::milliseconds(10);
 
-/// So that even a member that cannot be compressed fits into a file.
+/// Limit of a member's uncompressed size: even an incompressible member fits into a file.
 std::uint64_t longest_member(const RecordingOptions& options) {
     constexpr std::uint64_t bytes = 4U << 20;
     return options.max_bytes > 0 ? std::min(bytes, options.max_bytes / 2) : bytes;
@@ -30,7 +30,7 @@ DiskWriter::~DiskWriter() {
 }
 
 bool DiskWriter::fits(const QueuedObject& object) const {
-    // One object always fits, however large it is.
+    // An empty queue accepts one object of any size.
     return window_.bytes() == 0 || window_.bytes() + object.bytes.size() <= queue_bytes_max_;
 }
 

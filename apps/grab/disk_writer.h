@@ -10,21 +10,22 @@
 
 namespace flownav {
 
-/// What became of the observations so far, by label of the sensor.
+/// Counts of observations by label of the sensor.
 struct WriterCounts {
-    std::map<std::string, std::uint64_t> written;  ///< in the kernel's hands
-    std::map<std::string, std::uint64_t> dropped;  ///< the disk was too slow and the memory for waiting full
-    std::uint64_t late = 0;                        ///< written, but after later ones
-    std::uint64_t lost = 0;                        ///< could not be written any more
+    std::map<std::string, std::uint64_t> written;  ///< passed to the kernel
+    /// Dropped because the disk was too slow and the queue full.
+    std::map<std::string, std::uint64_t> dropped;
+    std::uint64_t late = 0;  ///< written after later ones
+    std::uint64_t lost = 0;  ///< lost to a failed disk
     std::uint64_t file_bytes = 0;
     std::uint64_t queue_bytes = 0;
 };
 
-/// Writes observations in a thread of its own, in the order of time, as whole gz members of a
-/// twentieth of a second: what was observed is with the kernel about 0.16 s later.
+/// Writes observations in its own thread, in order of time, as whole gz members of 50 ms each: an observation
+/// reaches the kernel about 0.16 s later.
 class DiskWriter {
   public:
-    static constexpr auto hold = std::chrono::milliseconds(100);          ///< for the order of time
+    static constexpr auto hold = std::chrono::milliseconds(100);          ///< delay for sorting by time
     static constexpr auto member_period = std::chrono::milliseconds(50);  ///< longest wait for a flush
 
     /// Opens the recording. Throws OutputError.
@@ -33,17 +34,17 @@ class DiskWriter {
     DiskWriter(const DiskWriter&) = delete;
     DiskWriter& operator=(const DiskWriter&) = delete;
 
-    /// Never waits for the disk: when no more fits into the queue, the object is dropped and counted.
+    /// Queues an object. Never waits for the disk: when the queue is full, the object is dropped and counted.
     void put(QueuedObject object);
 
-    /// The same for what need not be dropped because its source can wait.
+    /// Queues an object of a source that can wait; waits for room in the queue.
     void put_when_there_is_room(QueuedObject object);
 
-    /// Writes all that was put and closes the recording.
+    /// Writes all queued objects and closes the recording.
     void finish();
 
     WriterCounts counts() const;
-    std::string failure() const;  ///< names the file; empty when all is well
+    std::string failure() const;  ///< names the file; empty without a failure
     std::vector<std::filesystem::path> files() const;
 
   private:
@@ -55,7 +56,7 @@ class DiskWriter {
 
     const std::uint64_t queue_bytes_max_;
     const std::uint64_t member_bytes_max_;  ///< uncompressed
-    Recording recording_;                   ///< of the writing thread
+    Recording recording_;                   ///< used by the writing thread only
     std::map<std::string, std::uint64_t> in_member_;
     std::chrono::steady_clock::time_point member_begin_;
 
@@ -65,7 +66,7 @@ class DiskWriter {
     ReorderWindow window_{hold};
     WriterCounts counts_;
     std::vector<std::filesystem::path> files_;
-    std::uint64_t taken_ = 0;  ///< out of the window
+    std::uint64_t taken_ = 0;  ///< removed from the window
     std::string failure_;
     bool finishing_ = false;
     std::thread thread_;

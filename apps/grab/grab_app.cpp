@@ -6,9 +6,11 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <iostream>
 #include <optional>
 
 #include "flownav/cli/command_output.h"
+#include "flownav/cli/usage_error.h"
 #include "flownav/core/version.h"
 #include "flownav/io/flow_obstacle_sensor.h"
 #include "flownav/io/output_file.h"
@@ -63,18 +65,18 @@ struct CommandLine {
     bool quiet = false;
 };
 
-/// Refuses what is no number or not within the limits; infinity is above every limit.
+/// Throws for a value that is not a number or outside the limits; infinity exceeds every limit.
 void require_range(const char* option, double value, double low, double high) {
     if (value >= low && value <= high) return;
-    throw GrabUsageError(std::string(option) + ": must be " + std::to_string(low) + " .. " +
-                         std::to_string(high));
+    throw cli::UsageError(std::string(option) + ": must be " + std::to_string(low) + " .. " +
+                          std::to_string(high));
 }
 
 std::uint64_t bytes_of(double megabytes) {
     return static_cast<std::uint64_t>(std::llround(megabytes * 1e6));
 }
 
-/// What the arguments ask for, or nothing when they have been answered; then `status` says how.
+/// Parses the arguments; empty when they have been answered, with the exit status in `status`.
 std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std::ostream& out,
                                  std::ostream& error, int& status) {
     TCLAP::CmdLine command("", ' ', version());
@@ -89,19 +91,16 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
     TCLAP::MultiArg<std::string> plugins("", "plugin", "", false, "FILE.so", command);
     TCLAP::SwitchArg quiet("", "quiet", "", command);
 
-    std::vector<const char*> argv;
-    argv.reserve(arguments.size());
-    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
     const auto refuse = [&](const std::string& message) {
         output.fail(message);
         status = usage_status;
         return std::nullopt;
     };
-    if (!command.parse(static_cast<int>(argv.size()), argv.data())) {
+    if (!cli::parse_arguments(command, arguments)) {
         status = output.failed() ? usage_status : 0;
         return std::nullopt;
     }
-    if (config.getValue().rfind('-', 0) == 0)  // TCLAP takes an unknown option for the file
+    if (config.getValue().rfind('-', 0) == 0)  // TCLAP takes an unknown option as the file
         return refuse("unknown argument " + config.getValue());
     if (!config.isSet() || !file.isSet()) return refuse("needs CONFIG.ini and --output F.rawlog");
     if (max_size.isSet()) require_range("--max-size", max_size.getValue(), 0.001, 1e9);
@@ -128,7 +127,7 @@ void load_plugins(const std::vector<std::string>& plugins) {
         if (mrpt::system::loadPluginModule(plugin, reason)) continue;
         std::string message = "--plugin " + plugin;
         message += ": cannot be loaded: ";
-        throw GrabUsageError(message + reason);
+        throw cli::UsageError(message + reason);
     }
 }
 
@@ -141,7 +140,7 @@ int grab(const CommandLine& command, const cli::StopSignals& signals, std::ostre
     GrabOptions options = command.options;
     options.recording.gz_level = setup.gz_level;
     Grabber grabber(setup, options);
-    GrabProgress progress(command.quiet ? cli::Progress::Style::Silent : cli::Progress::style_for(stdout));
+    GrabProgress progress(std::cout, command.quiet);
     while (!grabber.done()) {
         if (signals.wait(std::chrono::milliseconds(50))) break;
         progress.update(grabber.elapsed_s(), grabber.counts());
@@ -167,7 +166,7 @@ int run_grab_app(const std::vector<std::string>& arguments, const cli::StopSigna
         int status = 0;
         const auto command = parse(arguments, out, error, status);
         return command ? grab(*command, signals, out, error) : status;
-    } catch (const GrabUsageError& exception) {
+    } catch (const cli::UsageError& exception) {
         error << "flownav-grab: " << exception.what() << '\n';
         return usage_status;
     } catch (const FileExists& exception) {

@@ -7,8 +7,8 @@
 
 namespace flownav {
 
-/// The program flownav-grab: arguments (the first is the program's name) to exit status. Does not return
-/// where a driver hangs: the program ends then, with the recording complete.
+/// Runs flownav-grab; the first argument is the program's name. Returns the exit status. When a driver hangs,
+/// exits the process instead, with the recording complete.
 int run_grab_app(const std::vector<std::string>& arguments, const cli::StopSignals& signals,
                  std::ostream& out, std::ostream& error);
 

@@ -1,7 +1,5 @@
 #include "grab_progress.h"
 
-#include <cstdio>
-
 #include "flownav/cli/number_text.h"
 
 namespace flownav {
@@ -25,27 +23,15 @@ std::string plural(std::uint64_t count, const std::string& what) {
 }  // namespace
 
 void GrabProgress::update(double elapsed_s, const WriterCounts& counts) {
-    if (style_ == cli::Progress::Style::Silent || elapsed_s < next_s_) return;
-    next_s_ = elapsed_s + (style_ == cli::Progress::Style::Bar ? 0.5 : 10.0);
+    if (quiet_ || elapsed_s < next_s_) return;
+    next_s_ = elapsed_s + (line_.on_terminal() ? 0.5 : 10.0);
     const std::uint64_t dropped = sum(counts.dropped);
     const std::string text =
         cli::fixed_text(elapsed_s, 1) + " s, " + plural(sum(counts.written), "observation") + ", " +
         megabytes(counts.file_bytes) +
         (counts.queue_bytes > 1000000 ? ", waiting " + megabytes(counts.queue_bytes) : "") +
         (dropped > 0 ? ", DROPPED " + std::to_string(dropped) : "");
-    // Nobody depends on the progress: when it cannot be shown, the work goes on.
-    if (style_ == cli::Progress::Style::Bar) {
-        std::printf("\r%s\033[K", text.c_str());
-        drawn_ = true;
-    } else {
-        std::printf("%s\n", text.c_str());
-    }
-    std::fflush(stdout);
-}
-
-void GrabProgress::finish() const {
-    if (drawn_) std::printf("\n");
-    std::fflush(stdout);
+    line_.show(text);
 }
 
 std::string outcome_text(const Grabber& grabber) {

@@ -10,7 +10,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
-constexpr auto patience = std::chrono::seconds(3);  // with drivers that do not end
+constexpr auto patience = std::chrono::seconds(3);  // limit for drivers to end
 
 std::string text_of(double seconds) {
     std::ostringstream text;

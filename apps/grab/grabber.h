@@ -12,23 +12,23 @@ namespace flownav {
 
 struct GrabOptions {
     RecordingOptions recording;
-    double duration_s = 0.0;                 ///< 0: until it is stopped or every source has ended
-    double silence_s = 10.0;                 ///< a sensor that says nothing for longer has failed; 0: it may
-    std::uint64_t queue_bytes = 256U << 20;  ///< of observations that wait for the disk
+    double duration_s = 0.0;  ///< recording time; 0: until stopped or every source has ended
+    double silence_s = 10.0;  ///< a sensor without observations for longer has failed; 0: no limit
+    std::uint64_t queue_bytes = 256U << 20;  ///< limit of observations waiting for the disk
 };
 
 enum class GrabStatus {
     Fine = 0,
     Usage = 1,    ///< bad usage or configuration; nothing was written
-    Sensor = 2,   ///< a sensor failed; all that was captured before is in the recording
+    Sensor = 2,   ///< a sensor failed; the recording holds all that was captured before
     Output = 3,   ///< the disk failed; the recording ends before that
     Dropped = 4,  ///< the disk was too slow, and observations were dropped
 };
 
 struct GrabResult {
     GrabStatus status = GrabStatus::Fine;
-    std::vector<std::string> messages;  ///< what went wrong: sensor or file, and reason
-    bool hanging = false;               ///< a driver did not end; the program has to end without it
+    std::vector<std::string> messages;  ///< sensor or file, and reason
+    bool hanging = false;               ///< a driver did not end; the program must exit without it
 };
 
 /// Records sensors into a rawlog until told to stop.
@@ -37,10 +37,10 @@ class Grabber {
     /// Opens the recording and starts the sensors. Throws OutputError.
     Grabber(const GrabSetup& setup, const GrabOptions& options);
 
-    /// Whether there is nothing more to record: every source has ended, something failed, the time is over.
+    /// True when recording is over: every source has ended, something failed, or the time is over.
     bool done() const;
 
-    /// Ends the sensors, writes all that they observed, and closes the recording.
+    /// Ends the sensors, writes all remaining observations, and closes the recording.
     GrabResult finish();
 
     WriterCounts counts() const { return writer_->counts(); }

@@ -8,7 +8,8 @@
 
 namespace {
 
-/// A standard stream that is closed would become the recording, and whatever a driver prints go into it.
+/// Opens closed standard streams; otherwise the recording would get their descriptor and receive a driver's
+/// output.
 void open_standard_streams() {
     int descriptor = 0;
     while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = open("/dev/null", O_RDWR);
@@ -20,7 +21,7 @@ void open_standard_streams() {
 int main(int argc, char** argv) {
     open_standard_streams();
     const flownav::cli::StopSignals signals;
-    // A closed pipe or a limit on file sizes shall be an error of the write, not the end of the program.
+    // Makes a closed pipe or a file size limit an error of the write instead of a fatal signal.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     return flownav::run_grab_app({argv, argv + argc}, signals, std::cout, std::cerr);

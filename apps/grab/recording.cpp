@@ -6,8 +6,8 @@
 #include <cerrno>
 #include <system_error>
 
+#include "flownav/io/gz_member.h"
 #include "flownav/io/output_file.h"
-#include "gz_member.h"
 
 namespace flownav {
 
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
                           std::generic_category().message(error_number));
 }
 
-/// Whether `file` is a numbered continuation of `first`.
+/// True when `file` is a numbered continuation of `first`.
 bool continues(const fs::path& file, const fs::path& first) {
     const std::string stem = file.stem().string();
     const std::string begin = first.stem().string() + '_';
@@ -29,7 +29,7 @@ bool continues(const fs::path& file, const fs::path& first) {
            stem.find_first_not_of("0123456789", begin.size()) == std::string::npos;
 }
 
-/// The recording that is there already: the file and its continuations.
+/// Lists the files of an existing recording: the first and its continuations.
 std::vector<fs::path> existing(const fs::path& first) {
     std::vector<fs::path> found;
     std::error_code error;
@@ -40,7 +40,8 @@ std::vector<fs::path> existing(const fs::path& first) {
     return found;
 }
 
-/// Makes room for a recording. Devices such as /dev/full stay.
+/// Removes an existing recording. Throws FileExists unless `overwrite` is set. Devices such as /dev/full
+/// stay.
 void prepare(const RecordingOptions& options) {
     for (const fs::path& file : existing(options.file)) {
         if (!fs::is_regular_file(file)) continue;
@@ -72,14 +73,14 @@ Recording::~Recording() {
 }
 
 void Recording::open(const fs::path& file) {
-    const bool regular = !fs::exists(file);  // then it must not appear meanwhile
+    const bool regular = !fs::exists(file);  // the file must not be created meanwhile
     descriptor_ =
         ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | (regular ? O_EXCL : 0), 0644);
     if (descriptor_ < 0) fail(file, errno);
     file_bytes_ = 0;
     file_has_objects_ = false;
     files_.push_back(file);
-    write(gz_member({}, options_.gz_level));  // a recording of nothing is a gz file too
+    write(io::gz_member({}, options_.gz_level));  // an empty recording is a valid gz file
 }
 
 void Recording::add(const std::vector<std::uint8_t>& object) {
@@ -88,7 +89,7 @@ void Recording::add(const std::vector<std::uint8_t>& object) {
 
 void Recording::flush() {
     if (pending_.empty()) return;
-    const auto member = gz_member(pending_, options_.gz_level);
+    const auto member = io::gz_member(pending_, options_.gz_level);
     if (options_.max_bytes > 0 && file_has_objects_ && file_bytes_ + member.size() > options_.max_bytes) {
         finish_file();
         open(continuation(options_.file, static_cast<int>(files_.size())));
@@ -105,7 +106,7 @@ void Recording::write(const std::vector<std::uint8_t>& member) {
         if (count < 0 && errno == EINTR) continue;
         if (count <= 0) {
             const int error_number = count < 0 ? errno : ENOSPC;
-            // A piece of a member would be a damaged end.
+            // Removes a partial member, which would be a damaged end.
             if (ftruncate(descriptor_, static_cast<off_t>(file_bytes_)) != 0)
                 fail(files_.back(), error_number);
             fail(files_.back(), error_number);

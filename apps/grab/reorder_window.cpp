@@ -12,7 +12,7 @@ void ReorderWindow::push(QueuedObject object, Time now) {
 
 std::vector<QueuedObject> ReorderWindow::take_ripe(Time now) {
     const auto ripe = [&](const auto& entry) { return now - entry.second.arrival >= hold_; };
-    // The latest time stamp that is ripe takes all earlier ones with it.
+    // The latest ripe time stamp releases all earlier ones.
     const auto latest = std::find_if(waiting_.rbegin(), waiting_.rend(), ripe);
     return take_until(latest.base());
 }

@@ -7,16 +7,15 @@
 
 namespace flownav {
 
-/// One observation on its way to the disk.
+/// One observation in the queue to the disk.
 struct QueuedObject {
     std::int64_t time_100ns = 0;      ///< its time stamp
-    std::string label;                ///< of its sensor
-    std::vector<std::uint8_t> bytes;  ///< as a rawlog has it
+    std::string label;                ///< label of its sensor
+    std::vector<std::uint8_t> bytes;  ///< serialized as in a rawlog
 };
 
-/// Puts observations of several sensors in the order of their time stamps: each waits for `hold` after its
-/// arrival, so that earlier ones can overtake it. What comes later than that is let through at once and
-/// counted.
+/// Sorts observations of several sensors by time stamp: each waits for `hold` after its arrival, so that
+/// earlier ones can overtake it. Later arrivals pass at once and are counted.
 class ReorderWindow {
   public:
     using Time = std::chrono::steady_clock::time_point;
@@ -26,12 +25,12 @@ class ReorderWindow {
 
     void push(QueuedObject object, Time now);
 
-    /// What has waited long enough, and all that is earlier; in order.
+    /// Removes the observations that have waited long enough, and all earlier ones; returns them in order.
     std::vector<QueuedObject> take_ripe(Time now);
     std::vector<QueuedObject> take_all();
 
-    std::uint64_t bytes() const { return bytes_; }  ///< of what is waiting
-    std::uint64_t late() const { return late_; }    ///< objects that stand after later ones
+    std::uint64_t bytes() const { return bytes_; }  ///< total size of the waiting objects
+    std::uint64_t late() const { return late_; }    ///< number of objects placed after later ones
 
   private:
     struct Waiting {

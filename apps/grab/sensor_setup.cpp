@@ -7,6 +7,8 @@
 #include <iterator>
 #include <sstream>
 
+#include "flownav/cli/usage_error.h"
+
 namespace flownav {
 
 namespace {
@@ -15,11 +17,11 @@ using mrpt::hwdrivers::CGenericSensor;
 
 constexpr const char* global = "global";
 
-/// CConfigFile would rewrite the file of the user.
+/// Loads into memory, because CConfigFile would rewrite the user's file.
 mrpt::config::CConfigFileMemory loaded(const std::filesystem::path& file) {
     std::ifstream stream(file);
     if (!stream || std::filesystem::is_directory(file))
-        throw GrabUsageError("cannot read the configuration " + file.string());
+        throw cli::UsageError("cannot read the configuration " + file.string());
     mrpt::config::CConfigFileMemory ini;
     ini.setContent(std::string(std::istreambuf_iterator<char>(stream), {}));
     return ini;
@@ -28,20 +30,20 @@ mrpt::config::CConfigFileMemory loaded(const std::filesystem::path& file) {
 SensorSetup configured(const mrpt::config::CConfigFileBase& ini, const std::string& section) {
     const std::string where = "[" + section + "]: ";
     const std::string driver = ini.read_string(section, "driver", "");
-    if (driver.empty()) throw GrabUsageError(where + "needs the key driver, the class of the sensor");
+    if (driver.empty()) throw cli::UsageError(where + "needs the key driver, the class of the sensor");
     auto sensor = CGenericSensor::createSensorPtr(driver);
     if (!sensor) {
-        throw GrabUsageError(where + "driver = " + driver +
-                             " is not known; drivers of other libraries come with --plugin FILE.so");
+        throw cli::UsageError(where + "driver = " + driver +
+                              " is not known; drivers of other libraries come with --plugin FILE.so");
     }
     try {
         sensor->loadConfig(ini, section);
     } catch (const std::exception& error) {
-        throw GrabUsageError(where + plain_sentence(error.what()));
+        throw cli::UsageError(where + plain_sentence(error.what()));
     }
     const double rate_hz = sensor->getProcessRate();
     if (!std::isfinite(rate_hz) || rate_hz <= 0) {
-        throw GrabUsageError(where + "process_rate must be above 0, the calls a second");
+        throw cli::UsageError(where + "process_rate must be above 0, the calls a second");
     }
     return {section, driver, std::move(sensor)};
 }
@@ -49,12 +51,12 @@ SensorSetup configured(const mrpt::config::CConfigFileBase& ini, const std::stri
 void read_global(const mrpt::config::CConfigFileBase& ini, GrabSetup& setup) {
     setup.gz_level = ini.read_int(global, "rawlog_GZ_compress_level", setup.gz_level);
     if (setup.gz_level < 0 || setup.gz_level > 9) {
-        throw GrabUsageError("[global]: rawlog_GZ_compress_level = " + std::to_string(setup.gz_level) +
-                             " is out of range (0 .. 9)");
+        throw cli::UsageError("[global]: rawlog_GZ_compress_level = " + std::to_string(setup.gz_level) +
+                              " is out of range (0 .. 9)");
     }
     const double wait_ms = ini.read_double(global, "time_between_launches", 0);
     if (!(wait_ms >= 0 && wait_ms <= 60000)) {
-        throw GrabUsageError("[global]: time_between_launches must be 0 .. 60000 milliseconds");
+        throw cli::UsageError("[global]: time_between_launches must be 0 .. 60000 milliseconds");
     }
     setup.time_between_launches_s = wait_ms / 1000;
     if (ini.read_bool(global, "use_sensoryframes", false)) {
@@ -77,8 +79,8 @@ GrabSetup read_grab_setup(const std::filesystem::path& ini_file) {
         setup.sensors.push_back(configured(ini, section));
     }
     if (setup.sensors.empty()) {
-        throw GrabUsageError(ini_file.string() +
-                             " names no sensor: it needs a section with driver and process_rate");
+        throw cli::UsageError(ini_file.string() +
+                              " names no sensor: it needs a section with driver and process_rate");
     }
     return setup;
 }

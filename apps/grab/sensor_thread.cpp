@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 using mrpt::hwdrivers::CGenericSensor;
 
-/// What was observed longer ago was recorded then, and is still there when the disk has caught up.
+/// Observations older than this come from a recording; such a source can wait for the disk.
 constexpr double live_s = 60.0;
 
 double now_s() {
@@ -79,7 +79,7 @@ void SensorThread::Shared::work() {
     } while (!stopped_within(due));
 }
 
-/// Throws when the sensor has come to an end, whichever.
+/// Throws when the sensor has ended, regularly or not.
 void SensorThread::Shared::check_end() {
     if (const auto* flow = dynamic_cast<const CFlowObstacleSensor*>(setup.sensor.get());
         flow && flow->ended()) {
@@ -116,7 +116,7 @@ bool SensorThread::Shared::stopped_within(Clock::time_point time) {
 
 void SensorThread::Shared::end(SensorState::Phase how, std::string why) {
     try {
-        pass_on();  // what it observed before it failed
+        pass_on();  // observations from before the failure
     } catch (const std::exception& error) {
         how = SensorState::Phase::Failed;
         if (why.empty()) why = plain_sentence(error.what());

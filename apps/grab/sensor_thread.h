@@ -12,24 +12,24 @@
 
 namespace flownav {
 
-/// How a sensor is doing.
+/// State of a sensor.
 struct SensorState {
     enum class Phase {
         Running,
         Ended,   ///< a file was read to its regular end, or the sensor was stopped
-        Failed,  ///< `message` says how
+        Failed,  ///< `message` has the reason
     };
     Phase phase = Phase::Running;
     std::string message;
-    double silent_s = 0.0;  ///< since its last observation, or since it was started
+    double silent_s = 0.0;  ///< since its last observation or its start
 };
 
-/// Runs one sensor in a thread of its own, at its process_rate, and passes on all that it observes.
+/// Runs one sensor in its own thread, at its process_rate, and passes on its observations.
 class SensorThread {
   public:
     SensorThread(SensorSetup setup, std::shared_ptr<DiskWriter> writer);
 
-    /// Ends the sensor, if need be without it: a driver that hangs is left behind.
+    /// Ends the sensor; a driver that hangs is left running.
     ~SensorThread();
     SensorThread(const SensorThread&) = delete;
     SensorThread& operator=(const SensorThread&) = delete;
@@ -37,7 +37,7 @@ class SensorThread {
     /// Asks the sensor to end after its current turn. Returns at once.
     void stop();
 
-    /// Waits until it has ended and all its observations were passed on; false: it hangs.
+    /// Waits until the sensor has ended and all its observations were passed on. Returns false when it hangs.
     bool wait_until(std::chrono::steady_clock::time_point latest);
 
     SensorState state() const;
@@ -45,7 +45,7 @@ class SensorThread {
 
   private:
     struct Shared;
-    std::shared_ptr<Shared> shared_;  ///< outlives this where the driver hangs
+    std::shared_ptr<Shared> shared_;  ///< outlives this object when the driver hangs
     std::thread thread_;
 };
 

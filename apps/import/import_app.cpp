@@ -1,8 +1,10 @@
 #include "import_app.h"
 
+#include <iostream>
 #include <memory>
 #include <ostream>
 
+#include "flownav/cli/exit_status.h"
 #include "flownav/cli/progress.h"
 #include "flownav/io/image_folder.h"
 #include "flownav/io/kitti.h"
@@ -15,9 +17,6 @@
 namespace flownav {
 namespace {
 
-constexpr int usage_status = 1;
-constexpr int damaged_status = 2;
-constexpr int output_status = 3;
 constexpr double kitti_rate_hz = 10.0;
 constexpr std::size_t problems_shown = 5;
 
@@ -44,15 +43,15 @@ int report_problems(const io::ImageSequence& sequence, std::ostream& error) {
     if (problems.size() > problems_shown) {
         error << "flownav-import: and " << problems.size() - problems_shown << " more\n";
     }
-    return problems.empty() ? 0 : damaged_status;
+    return cli::exit_code(problems.empty() ? cli::ExitStatus::Fine : cli::ExitStatus::Input);
 }
 
 int run(const ImportOptions& options, std::ostream& out, std::ostream& error) {
     const auto sequence = open_sequence(options);
     const auto* folder = dynamic_cast<const io::ImageFolder*>(sequence.get());
     if (folder != nullptr && !options.quiet) out << "times: " << folder->times_source() << '\n';
-    cli::Progress progress(stdout,
-                           options.quiet ? cli::Progress::Style::Silent : cli::Progress::style_for(stdout));
+    cli::Progress progress(
+        std::cout, options.quiet ? cli::Progress::Style::Silent : cli::Progress::style_for(std::cout));
     io::RecordingOptions recording;
     recording.output = options.output;
     recording.camera_label = options.camera.camera_label;
@@ -70,18 +69,18 @@ int run(const ImportOptions& options, std::ostream& out, std::ostream& error) {
 }  // namespace
 
 int run_import_app(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& error) {
-    const auto fail = [&error](const std::exception& exception, int status) {
+    const auto fail = [&error](const std::exception& exception, cli::ExitStatus status) {
         error << "flownav-import: " << exception.what() << '\n';
-        return status;
+        return cli::exit_code(status);
     };
     try {
         int status = 0;
         const auto options = parse_import_options(arguments, out, error, status);
         return options ? run(*options, out, error) : status;
     } catch (const io::OutputError& exception) {
-        return fail(exception, output_status);
+        return fail(exception, cli::ExitStatus::Output);
     } catch (const std::exception& exception) {
-        return fail(exception, usage_status);
+        return fail(exception, cli::ExitStatus::Usage);
     }
 }
 

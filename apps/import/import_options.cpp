@@ -4,6 +4,7 @@
 
 #include "flownav/cli/command_output.h"
 #include "flownav/core/version.h"
+#include "flownav/math/units.h"
 
 namespace flownav {
 namespace {
@@ -45,7 +46,7 @@ Exit status:
 struct Subcommand {
     const char* name;
     ImportKind kind;
-    std::size_t sources;  ///< arguments that name the data
+    std::size_t sources;  ///< number of arguments that name the data
 };
 
 constexpr Subcommand subcommands[] = {{"kitti-odometry", ImportKind::KittiOdometry, 2},
@@ -64,7 +65,7 @@ bool is_kitti(ImportKind kind) {
     return kind == ImportKind::KittiOdometry || kind == ImportKind::KittiRaw;
 }
 
-/// The options as TCLAP sees them, all of them text, so that the configuration's own checks apply.
+/// The arguments as TCLAP options, all of them text: the configuration checks their values.
 struct Arguments {
     explicit Arguments(TCLAP::CmdLine& command)
         : words("words", "", false, "", command),
@@ -86,7 +87,7 @@ struct Arguments {
     TCLAP::SwitchArg quiet;
 };
 
-/// What is missing, or does not belong to this subcommand; empty when all is well.
+/// Describes missing arguments, or arguments of another subcommand; empty when they are valid.
 std::string complaint(Arguments& a, const Subcommand* subcommand) {
     if (subcommand == nullptr)
         return "the first argument has to be kitti-odometry, kitti-raw, images or video";
@@ -116,8 +117,8 @@ CameraMount mount_of(Arguments& a) {
     config::set_config_value(config, "camera.forward_m", a.forward.getValue());
     CameraMount mount;
     mount.height_m = config.camera.height_m.value();
-    mount.pitch_rad = config.camera.pitch_deg.value() * M_PI / 180;
-    mount.roll_rad = config.camera.roll_deg.value() * M_PI / 180;
+    mount.pitch_rad = config.camera.pitch_deg.value() * degree_rad;
+    mount.roll_rad = config.camera.roll_deg.value() * degree_rad;
     mount.forward_m = config.camera.forward_m.value();
     return mount;
 }
@@ -157,11 +158,8 @@ std::optional<ImportOptions> parse_import_options(const std::vector<std::string>
     TCLAP::CmdLine command("", ' ', version());
     cli::CommandOutput output(command, "flownav-import", help, out, error);
     const auto args = std::make_unique<Arguments>(command);
-    std::vector<const char*> argv;
-    argv.reserve(arguments.size());
-    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
     status = 0;
-    if (!command.parse(static_cast<int>(argv.size()), argv.data())) {
+    if (!cli::parse_arguments(command, arguments)) {
         status = output.failed() ? 1 : 0;
         return std::nullopt;
     }

@@ -12,21 +12,21 @@ namespace flownav {
 
 enum class ImportKind { KittiOdometry, KittiRaw, Images, Video };
 
-/// What the arguments ask for.
+/// Parsed command line of flownav-import.
 struct ImportOptions {
     ImportKind kind = ImportKind::Images;
     std::filesystem::path source;  ///< DIR, DATEDIR or FILE
     std::string part;              ///< SEQ or DRIVE
     std::filesystem::path output;
-    CameraMount mount;            ///< of KITTI's camera 0
-    config::CameraConfig camera;  ///< of pictures and videos
+    CameraMount mount;            ///< mount of KITTI's camera 0
+    config::CameraConfig camera;  ///< camera of pictures and videos
     std::optional<double> rate_hz;
     std::filesystem::path times;
     bool quiet = false;
 };
 
-/// Nothing when the arguments have been answered; then `status` says how.
-/// Throws ConfigError: a camera file or a value that cannot be used.
+/// Parses the arguments; empty when they have been answered, with the exit status in `status`. Throws
+/// ConfigError for an invalid camera file or value.
 std::optional<ImportOptions> parse_import_options(const std::vector<std::string>& arguments,
                                                   std::ostream& out, std::ostream& error, int& status);
 

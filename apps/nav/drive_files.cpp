@@ -40,8 +40,7 @@ std::string result_json(const NavOptions& options, const drive::DriveResult& res
         json["fields_left_out"] = fields_left_out;
     }
     json["sensor"] = options.drive.sensor == drive::SensorKind::Flow ? "flow" : "lidar";
-    json["navigator"] =
-        options.drive.config.navigation.navigator == NavigatorKind::Lanes ? "lanes" : "reactive";
+    json["navigator"] = options.drive.config.navigation.navigator;
     json["stops"] = nlohmann::ordered_json::array();
     for (const nav::GuardEvent& stop : result.stops) {
         if (stop.action == nav::GuardAction::Pass) continue;

@@ -5,7 +5,8 @@
 #include <optional>
 
 #include "drive_files.h"
-#include "drive_picture.h"
+#include "drive_scene.h"
+#include "flownav/cli/exit_status.h"
 #include "flownav/cli/number_text.h"
 #include "flownav/drive/camera_thread.h"
 #include "flownav/drive/drive_recorder.h"
@@ -18,8 +19,6 @@ namespace flownav {
 namespace {
 
 namespace fs = std::filesystem;
-
-enum Status { fine = 0, usage = 1, input = 2, output = 3 };
 
 int status_of(drive::Outcome outcome) {
     switch (outcome) {
@@ -34,9 +33,9 @@ int status_of(drive::Outcome outcome) {
         case drive::Outcome::Stopped:
             return 7;
         case drive::Outcome::Lost:
-            return input;
+            break;
     }
-    return input;
+    return cli::exit_code(cli::ExitStatus::Input);
 }
 
 constexpr double progress_every_s = 10.0;
@@ -108,7 +107,7 @@ void report(const NavOptions& options) {
     replaying.config = options.drive.config;
     replaying.config.camera = config::CameraConfig{};
     const replay::ReplayResult result = replay::replay(replaying);
-    if (result.status == replay::ExitStatus::Output) throw io::OutputError(result.message);
+    if (result.status == cli::ExitStatus::Output) throw io::OutputError(result.message);
 }
 
 drive::DriveResult drive_simulated(const NavOptions& options, Onlooker& onlooker) {
@@ -117,7 +116,6 @@ drive::DriveResult drive_simulated(const NavOptions& options, Onlooker& onlooker
 
 /// Its camera is opened before its motors are told anything. The base has been told `bye` afterwards.
 drive::DriveResult drive_real(const NavOptions& options, Onlooker& onlooker) {
-    constexpr double hung_s = 1.0;  // whatever hangs, the navigator or anything else of the loop
     drive::SteadyClock clock;
     nav::TcpRobotParams params;
     params.clock_s = [&clock] { return clock.now_s(); };
@@ -126,7 +124,7 @@ drive::DriveResult drive_real(const NavOptions& options, Onlooker& onlooker) {
         *options.camera, clock,
         [&onlooker](const Field& field, const pipeline::Step& step) { onlooker.on_field(field, step); });
     drive::DriveOptions driving = options.drive;
-    driving.hung_s = hung_s;
+    driving.hung_s = driving.config.guard.watchdog_s;
     return drive::drive(driving, {clock, base, camera}, onlooker);
 }
 
@@ -159,7 +157,8 @@ int run_drive(NavOptions options, const StopRequest& stop, std::ostream& out, st
     }
     if (!options.result.empty()) io::write_file(options.result, result_json(options, result, left_out));
     if (!options.picture.empty())
-        write_picture(options.picture, drive_picture(options.drive, result, onlooker.map()));
+        write_picture(options.picture,
+                      report::drive_picture(drive_scene(options.drive, result), onlooker.map()));
     report(options);
     return status_of(result.outcome);
 }
@@ -172,22 +171,22 @@ int run_nav_app(const std::vector<std::string>& arguments, std::ostream& out, st
 
 int run_nav_app(const std::vector<std::string>& arguments, const StopRequest& stop, std::ostream& out,
                 std::ostream& error) {
+    const auto fail = [&error](const std::exception& exception, cli::ExitStatus status) {
+        error << "flownav-nav: " << exception.what() << '\n';
+        return cli::exit_code(status);
+    };
     try {
-        int status = fine;
+        int status = 0;
         const auto options = parse_nav_options(arguments, out, error, status);
         return options ? run_drive(*options, stop, out, error) : status;
     } catch (const config::ConfigError& exception) {
-        error << "flownav-nav: " << exception.what() << '\n';
-        return usage;
+        return fail(exception, cli::ExitStatus::Usage);
     } catch (const io::OutputError& exception) {
-        error << "flownav-nav: " << exception.what() << '\n';
-        return output;
+        return fail(exception, cli::ExitStatus::Output);
     } catch (const std::invalid_argument& exception) {  // the address of a robot
-        error << "flownav-nav: " << exception.what() << '\n';
-        return usage;
+        return fail(exception, cli::ExitStatus::Usage);
     } catch (const std::exception& exception) {
-        error << "flownav-nav: " << exception.what() << '\n';
-        return input;
+        return fail(exception, cli::ExitStatus::Input);
     }
 }
 

@@ -25,7 +25,8 @@ The robot and where it goes
 How it drives
   --navigator lanes|reactive   circular lanes, or MRPT's reactive navigation; as navigation.navigator
   --sensor flow|lidar      the camera (default), or an ideal lidar to compare with
-  --config FILE.ini        configuration; flownav-config --doc lists every key, [navigation] has the robot
+  --config FILE.ini        configuration; flownav-config --doc --keys everyday|all lists the keys, [navigation]
+                           has the robot, [guard] what stops it
   --set section.key=value  sets one key, after the file; may be given several times
   --seed N                 of everything that is drawn by lot: world, textures, noise; default 1
 

@@ -12,6 +12,7 @@
 #include "flownav/cli/configuration.h"
 #include "flownav/config/config_value.h"
 #include "flownav/core/version.h"
+#include "flownav/math/units.h"
 #include "flownav/nav/tcp_robot.h"
 #include "flownav/sim/generate_world.h"
 #include "flownav/sim/sdf_world.h"
@@ -22,8 +23,6 @@ namespace {
 using Eigen::Vector2d;
 using Text = TCLAP::ValueArg<std::string>;
 using Number = TCLAP::ValueArg<double>;
-
-constexpr double degree = M_PI / 180.0;
 
 std::vector<double> numbers(Text& argument, char separator, std::size_t count) {
     std::vector<double> values;
@@ -98,7 +97,7 @@ struct Arguments {
     Number way_max{"", "way-max-m", "", false, 1e6, "M", command};
     Number success_radius{"", "success-radius-m", "", false, 0.5, "M", command};
     Number timeout{"", "timeout-s", "", false, 120.0, "S", command};
-    Text navigator{"", "navigator", "", false, "", "lanes|reactive", command};
+    Text navigator{"", "navigator", "", false, "", "NAME", command};
     Text sensor{"", "sensor", "", false, "flow", "flow|lidar", command};
     Text config{"", "config", "", false, "", "FILE.ini", command};
     TCLAP::MultiArg<std::string> settings{"", "set", "", false, "section.key=value", command};
@@ -151,16 +150,19 @@ sim::CameraSimParams make_camera(Arguments& a, const config::CameraConfig& confi
     const bool pal = params.interlaced;
     camera.width_px = pal && !a.width.isSet() ? 768 : in_range(a.width, 64, 4096);
     camera.height_px = pal && !a.height.isSet() ? 576 : in_range(a.height, 48, 4096);
-    const double half_rad = in_range(a.fov, 10.0, 140.0) / 2 * degree;
+    const double half_rad = in_range(a.fov, 10.0, 140.0) / 2 * degree_rad;
     camera.fx_px = config.fx_px.value_or(camera.width_px / 2.0 / std::tan(half_rad));
     camera.fy_px = config.fy_px.value_or(camera.fx_px);
     camera.cx_px = config.cx_px.value_or((camera.width_px - 1) / 2.0);
     camera.cy_px = config.cy_px.value_or((camera.height_px - 1) / 2.0);
-    if (config.distortion) camera.distortion = *config.distortion;
+    if (config.distortion) {
+        camera.distortion = *config.distortion;
+        camera.lens = &find_lens(config.lens);
+    }
     camera.mount.height_m = config.height_m.value_or(0.5);
-    camera.mount.pitch_rad = config.pitch_deg.value_or(20.0) * degree;
-    camera.mount.roll_rad = config.roll_deg.value_or(0.0) * degree;
-    camera.mount.yaw_rad = config.yaw_deg.value_or(0.0) * degree;
+    camera.mount.pitch_rad = config.pitch_deg.value_or(20.0) * degree_rad;
+    camera.mount.roll_rad = config.roll_deg.value_or(0.0) * degree_rad;
+    camera.mount.yaw_rad = config.yaw_deg.value_or(0.0) * degree_rad;
     camera.mount.forward_m = config.forward_m.value_or(0.0);
     camera.mount.left_m = config.left_m.value_or(0.0);
     params.rate_hz = pal && !a.rate.isSet() ? 50.0 : in_range(a.rate, 1.0, 200.0);
@@ -180,7 +182,7 @@ void set_goals(Arguments& a, drive::SimulatedDriveOptions& drive) {
     drive.start = drive.world.start;
     if (a.start.isSet()) {
         const auto start = numbers(a.start, ',', 3);
-        drive.start = {start[0], start[1], start[2] * degree};
+        drive.start = {start[0], start[1], start[2] * degree_rad};
     }
     if (a.follow.isSet()) {
         const auto point = numbers(a.follow, ',', 2);
@@ -211,11 +213,10 @@ void refuse_simulation_options(Arguments& a) {
     }
 }
 
-NavOptions options_of(Arguments& a, std::ostream& error) {
-    NavOptions options;
+/// The robot: simulated, or a base on TCP with the camera of --camera.
+void read_robot(Arguments& a, NavOptions& options) {
     options.robot = a.robot.getValue();
     options.seed = seed_of(a);
-    drive::SimulatedDriveOptions& drive = options.drive;
     if (options.robot != "sim") {
         refuse_simulation_options(a);
         nav::parse_tcp_address(options.robot);
@@ -226,6 +227,11 @@ NavOptions options_of(Arguments& a, std::ostream& error) {
         throw config::ConfigError(
             "--camera: only with --robot tcp:HOST:PORT; the simulated robot has its own camera");
     }
+}
+
+/// The configuration of the camera's ini, then of --config, --set and --navigator.
+void read_configuration(Arguments& a, NavOptions& options) {
+    drive::SimulatedDriveOptions& drive = options.drive;
     const config::Config base = options.camera ? options.camera->config : config::Config{};
     drive.config = cli::configuration(a.config.getValue(), a.settings.getValue(), base);
     if (a.navigator.isSet())
@@ -239,6 +245,11 @@ NavOptions options_of(Arguments& a, std::ostream& error) {
     } else {
         drive.camera = make_camera(a, drive.config.camera);
     }
+}
+
+/// When a drive ends, and the simulated sensors.
+void read_drive(Arguments& a, NavOptions& options) {
+    drive::SimulatedDriveOptions& drive = options.drive;
     drive.success_radius_m = in_range(a.success_radius, 0.01, 100.0);
     drive.timeout_s = in_range(a.timeout, 1.0, 1e6);
     drive.way_max_m = in_range(a.way_max, 0.1, 1e6);
@@ -246,23 +257,35 @@ NavOptions options_of(Arguments& a, std::ostream& error) {
     drive.lidar.beams = 271;
     drive.lidar.rate_hz = 10.0;
     drive.navlog_directory = a.navlog.getValue();
-    if (options.robot == "sim") {
-        drive.world = make_world(a, error);
-        if (a.objects.isSet()) {
-            set_surface(drive.world, one_of<sim::Surface>("objects", a.objects.getValue(),
-                                                          {{"patterned", sim::Surface::Patterned},
-                                                           {"faint", sim::Surface::Faint},
-                                                           {"plain", sim::Surface::Plain}}));
-        }
-    }
-    set_goals(a, drive);
+    drive.realtime = a.realtime.getValue();
+}
+
+void read_world(Arguments& a, drive::SimulatedDriveOptions& drive, std::ostream& error) {
+    drive.world = make_world(a, error);
+    if (!a.objects.isSet()) return;
+    set_surface(drive.world, one_of<sim::Surface>("objects", a.objects.getValue(),
+                                                  {{"patterned", sim::Surface::Patterned},
+                                                   {"faint", sim::Surface::Faint},
+                                                   {"plain", sim::Surface::Plain}}));
+}
+
+void read_outputs(Arguments& a, NavOptions& options) {
     options.output = a.output.getValue();
     options.result = a.result.getValue();
     options.record = a.record.getValue();
     options.picture = a.picture.getValue();
     options.reference_path_m = in_range(a.reference_path, 0.0, 1e6);
-    drive.realtime = a.realtime.getValue();
     options.quiet = a.quiet.getValue();
+}
+
+NavOptions options_of(Arguments& a, std::ostream& error) {
+    NavOptions options;
+    read_robot(a, options);
+    read_configuration(a, options);
+    read_drive(a, options);
+    if (options.robot == "sim") read_world(a, options.drive, error);
+    set_goals(a, options.drive);
+    read_outputs(a, options);
     return options;
 }
 
@@ -273,10 +296,7 @@ std::optional<NavOptions> parse_nav_options(const std::vector<std::string>& argu
     TCLAP::CmdLine command("", ' ', version());
     cli::CommandOutput output(command, "flownav-nav", nav_help, out, error);
     Arguments parsed(command);
-    std::vector<const char*> argv;
-    argv.reserve(arguments.size());
-    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-    if (!command.parse(static_cast<int>(argv.size()), argv.data())) {
+    if (!cli::parse_arguments(command, arguments)) {
         status = output.failed() ? 1 : 0;
         return std::nullopt;
     }

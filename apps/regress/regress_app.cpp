@@ -3,11 +3,11 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "flownav/cli/usage_error.h"
 #include "flownav/config/config.h"
 #include "flownav/io/output_file.h"
 #include "flownav/regress/commands.h"
 #include "flownav/regress/exit_status.h"
-#include "flownav/regress/usage_error.h"
 
 namespace flownav {
 
@@ -39,7 +39,7 @@ int run_regress_app(const std::vector<std::string>& arguments, std::ostream& out
         int status = regress::exit_fine;
         const auto options = regress::parse_options(arguments, environment, out, error, status);
         return options ? run_command(*options, out, error) : status;
-    } catch (const regress::UsageError& exception) {
+    } catch (const cli::UsageError& exception) {
         return fail(exception, regress::exit_usage);
     } catch (const config::ConfigError& exception) {
         return fail(exception, regress::exit_usage);

@@ -8,9 +8,9 @@
 #include <set>
 
 #include "flownav/cli/command_output.h"
+#include "flownav/cli/usage_error.h"
 #include "flownav/core/version.h"
 #include "flownav/regress/exit_status.h"
-#include "flownav/regress/usage_error.h"
 #include "regress_help.h"
 
 namespace flownav::regress {
@@ -99,15 +99,15 @@ struct CommandLine {
 };
 
 void check_words(const std::vector<std::string>& words) {
-    if (words.empty()) throw UsageError("needs a command: " + commands());
+    if (words.empty()) throw cli::UsageError("needs a command: " + commands());
     if (accepted().count(words[0]) == 0)
-        throw UsageError("unknown command '" + words[0] + "': must be one of " + commands());
+        throw cli::UsageError("unknown command '" + words[0] + "': must be one of " + commands());
     for (const std::string& word : words)
-        if (word.rfind('-', 0) == 0) throw UsageError("unknown argument " + word);  // TCLAP lets it pass
+        if (word.rfind('-', 0) == 0) throw cli::UsageError("unknown argument " + word);  // TCLAP lets it pass
     const std::size_t folders = folders_of(words[0]);
-    if (words.size() > folders + 1) throw UsageError("unknown argument " + words[folders + 1]);
+    if (words.size() > folders + 1) throw cli::UsageError("unknown argument " + words[folders + 1]);
     if (words.size() < folders + 1)
-        throw UsageError(words[0] + " needs " + (folders == 2 ? "two folders of results" : "a folder"));
+        throw cli::UsageError(words[0] + " needs " + (folders == 2 ? "two folders of results" : "a folder"));
 }
 
 void check_options(TCLAP::CmdLine& cmd, const std::string& command) {
@@ -117,26 +117,27 @@ void check_options(TCLAP::CmdLine& cmd, const std::string& command) {
         if (arg->isSet()) set.insert(arg->getName());
     for (const std::string& name : set)
         if (known.count(name) == 0 && name != "quiet" && name != "words")
-            throw UsageError("--" + name + " is no option of " + command);
+            throw cli::UsageError("--" + name + " is no option of " + command);
     for (const std::string& name : needed().at(command))
-        if (set.count(name) == 0) throw UsageError(command + " needs --" + name);
+        if (set.count(name) == 0) throw cli::UsageError(command + " needs --" + name);
 }
 
 Keep keep_of(const std::string& word, const std::string& command) {
     if (word.empty()) return command == "sweep" ? Keep::FiguresOnly : Keep::All;
     if (word == "all") return Keep::All;
     if (word == "figures") return Keep::FiguresOnly;
-    throw UsageError("--keep " + word + ": must be all or figures");
+    throw cli::UsageError("--keep " + word + ": must be all or figures");
 }
 
 RunOptions run_options(CommandLine& line, const std::string& command, bool is_shard) {
     RunOptions run;
     run.time_limit_s = line.time_limit.getValue();
     if (!(run.time_limit_s > 0.0 && run.time_limit_s <= longest_limit_s))
-        throw UsageError("--time-limit: must be more than 0 and at most 604800 s");
+        throw cli::UsageError("--time-limit: must be more than 0 and at most 604800 s");
     run.jobs = line.jobs.isSet() ? line.jobs.getValue() : is_shard ? 1 : processors();
     if (run.jobs < 1 || run.jobs > most_jobs)
-        throw UsageError("--jobs " + std::to_string(run.jobs) + ": must be 1.." + std::to_string(most_jobs));
+        throw cli::UsageError("--jobs " + std::to_string(run.jobs) + ": must be 1.." +
+                              std::to_string(most_jobs));
     run.keep = keep_of(line.keep.getValue(), command);
     run.force = line.force.getValue();
     return run;
@@ -144,7 +145,7 @@ RunOptions run_options(CommandLine& line, const std::string& command, bool is_sh
 
 std::filesystem::path root_of(const std::string& given, const std::filesystem::path& manifest) {
     if (given.empty()) return manifest.parent_path();
-    if (!std::filesystem::is_directory(given)) throw UsageError("--root " + given + ": no such folder");
+    if (!std::filesystem::is_directory(given)) throw cli::UsageError("--root " + given + ": no such folder");
     return given;
 }
 
@@ -180,10 +181,7 @@ std::optional<Options> parse_options(const std::vector<std::string>& arguments,
                                      const Environment& environment, std::ostream& out, std::ostream& error,
                                      int& status) {
     CommandLine line(out, error);
-    std::vector<const char*> argv;
-    argv.reserve(arguments.size());
-    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-    if (!line.cmd.parse(static_cast<int>(argv.size()), argv.data())) {
+    if (!cli::parse_arguments(line.cmd, arguments)) {
         status = line.output.failed() ? exit_usage : exit_fine;
         return std::nullopt;
     }

@@ -2,10 +2,12 @@
 
 #include <mrpt/3rdparty/tclap/CmdLine.h>
 
+#include <iostream>
 #include <optional>
 
 #include "flownav/cli/command_output.h"
 #include "flownav/cli/configuration.h"
+#include "flownav/cli/exit_status.h"
 #include "flownav/config/config.h"
 #include "flownav/core/version.h"
 #include "flownav/replay/realtime.h"
@@ -15,7 +17,7 @@ namespace flownav {
 
 namespace {
 
-constexpr int usage_status = static_cast<int>(replay::ExitStatus::Usage);
+constexpr int usage_status = cli::exit_code(cli::ExitStatus::Usage);
 constexpr int most_threads = 64;
 constexpr double longest_run_s = 1e6;
 
@@ -29,7 +31,7 @@ flownav-replay INPUT.rawlog --realtime [--for-s S] [--output DIR] [--config FILE
 
   INPUT.rawlog              images of one camera (and odometry, ground truth), plain or gz
   --output DIR              folder for the results; made when it is missing, old results are overwritten
-  --config FILE.ini         configuration; flownav-config --doc lists every key
+  --config FILE.ini         configuration; flownav-config --doc --keys everyday|all lists the keys
   --set section.key=value   sets one key, after the file; may be given several times
   --video FILE.mp4          also make a video of the drive: annotated fields side by side with the growing map
   --flow-field FILE.rawlog  also write the whole record of every field: blocks with vectors, predictions and
@@ -69,11 +71,11 @@ Exit status:
 struct CommandLine {
     replay::ReplayOptions options;
     bool realtime = false;
-    std::optional<double> duration_s;  ///< of a run in real time
+    std::optional<double> duration_s;  ///< limit of a run in real time
     bool quiet = false;
 };
 
-/// With the number of threads. Throws ConfigError.
+/// Reads the configuration and sets the number of threads. Throws ConfigError.
 config::Config configuration(const std::string& file, const std::vector<std::string>& settings, int threads) {
     config::Config config = cli::configuration(file, settings);
     if (threads < 1 || threads > most_threads) {
@@ -84,7 +86,7 @@ config::Config configuration(const std::string& file, const std::vector<std::str
     return config;
 }
 
-/// What cannot go together, or must; empty when all is well.
+/// Describes missing or contradictory options; empty when they are valid.
 std::string contradiction(const CommandLine& line, bool input, bool output) {
     if (!line.realtime) {
         if (!input || !output) return "needs INPUT.rawlog and --output DIR";
@@ -100,7 +102,7 @@ std::string contradiction(const CommandLine& line, bool input, bool output) {
     return "";
 }
 
-/// What the arguments ask for, or nothing when they have been answered; then `status` says how.
+/// Parses the arguments; empty when they have been answered, with the exit status in `status`.
 std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std::ostream& out,
                                  std::ostream& error, int& status) {
     TCLAP::CmdLine command("", ' ', version());
@@ -118,14 +120,11 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
     TCLAP::ValueArg<double> duration_s("", "for-s", "", false, 0.0, "S", command);
     TCLAP::SwitchArg quiet("", "quiet", "", command);
 
-    std::vector<const char*> argv;
-    argv.reserve(arguments.size());
-    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-    if (!command.parse(static_cast<int>(argv.size()), argv.data())) {
+    if (!cli::parse_arguments(command, arguments)) {
         status = output.failed() ? usage_status : 0;
         return std::nullopt;
     }
-    if (input.getValue().rfind('-', 0) == 0) {  // TCLAP takes an unknown option for the input
+    if (input.getValue().rfind('-', 0) == 0) {  // TCLAP takes an unknown option as the input
         output.fail("unknown argument " + input.getValue());
         status = usage_status;
         return std::nullopt;
@@ -147,7 +146,7 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
         return std::nullopt;
     }
     result.options.config = configuration(file.getValue(), settings.getValue(), threads.getValue());
-    if (!result.quiet) result.options.progress = cli::Progress::style_for(stdout);
+    if (!result.quiet) result.options.progress = cli::Progress::style_for(std::cout);
     return result;
 }
 
@@ -173,7 +172,7 @@ int run_replay_app(const std::vector<std::string>& arguments, std::ostream& out,
         for (const std::string& warning : result.warnings)
             error << "flownav-replay: warning: " << warning << '\n';
         if (!command->quiet && !result.outcome.empty()) out << result.outcome << '\n';
-        return static_cast<int>(result.status);
+        return cli::exit_code(result.status);
     } catch (const config::ConfigError& exception) {
         error << "flownav-replay: " << exception.what() << '\n';
         return usage_status;

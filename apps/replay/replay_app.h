@@ -5,7 +5,7 @@
 
 namespace flownav {
 
-/// The program flownav-replay: arguments (the first is the program's name) to exit status.
+/// Runs flownav-replay; the first argument is the program's name. Returns the exit status.
 int run_replay_app(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& error);
 
 }  // namespace flownav

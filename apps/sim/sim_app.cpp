@@ -3,8 +3,10 @@
 #include <chrono>
 #include <cmath>
 #include <future>
+#include <iostream>
 #include <ostream>
 
+#include "flownav/cli/exit_status.h"
 #include "flownav/cli/progress.h"
 #include "flownav/io/drive_recording.h"
 #include "flownav/io/output_file.h"
@@ -15,15 +17,11 @@
 namespace flownav {
 namespace {
 
-constexpr int usage_status = 1;
-constexpr int input_status = 2;
-constexpr int output_status = 3;
-
 int images_of(const SimOptions& options) {
     return static_cast<int>(std::floor(options.path->end_s() * options.camera.rate_hz + 1e-6)) + 1;
 }
 
-/// The first thing that the robot would have run into, if any.
+/// Names the first object that the robot collides with; empty without collision.
 std::string contact(const SimOptions& options, const Pose2& pose, double time_s) {
     const sim::Clearance clear = sim::clearance(options.world, RobotModel{}, pose, time_s);
     return clear.distance_m > 0.0 ? "" : clear.nearest;
@@ -39,7 +37,7 @@ void record(const SimOptions& options, cli::Progress& progress, std::ostream& er
     sim::WheelOdometry wheels(options.odometry);
     const int images = images_of(options);
     std::string touched;
-    std::future<void> writing;  // of one image while the next one is rendered
+    std::future<void> writing;  // writes one image while the next one is rendered
     for (int i = 0; i < images; ++i) {
         const double time_s = i / options.camera.rate_hz;
         const Pose2 pose = options.path->at(time_s);
@@ -69,8 +67,8 @@ void run(const SimOptions& options, std::ostream& out, std::ostream& error) {
             out << options.write_world.string() << ": " << options.world.solids.size() << " solids\n";
     }
     if (!options.path) return;
-    cli::Progress progress(stdout,
-                           options.quiet ? cli::Progress::Style::Silent : cli::Progress::style_for(stdout));
+    cli::Progress progress(
+        std::cout, options.quiet ? cli::Progress::Style::Silent : cli::Progress::style_for(std::cout));
     const auto begin = std::chrono::steady_clock::now();
     record(options, progress, error);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
@@ -86,9 +84,9 @@ void run(const SimOptions& options, std::ostream& out, std::ostream& error) {
 }  // namespace
 
 int run_sim_app(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& error) {
-    const auto fail = [&error](const std::exception& exception, int status) {
+    const auto fail = [&error](const std::exception& exception, cli::ExitStatus status) {
         error << "flownav-sim: " << exception.what() << '\n';
-        return status;
+        return cli::exit_code(status);
     };
     try {
         int status = 0;
@@ -96,13 +94,13 @@ int run_sim_app(const std::vector<std::string>& arguments, std::ostream& out, st
         if (options) run(*options, out, error);
         return status;
     } catch (const io::OutputError& exception) {
-        return fail(exception, output_status);
+        return fail(exception, cli::ExitStatus::Output);
     } catch (const sim::WorldError& exception) {
-        return fail(exception, input_status);
+        return fail(exception, cli::ExitStatus::Input);
     } catch (const sim::PathError& exception) {
-        return fail(exception, input_status);
+        return fail(exception, cli::ExitStatus::Input);
     } catch (const std::exception& exception) {
-        return fail(exception, usage_status);
+        return fail(exception, cli::ExitStatus::Usage);
     }
 }
 

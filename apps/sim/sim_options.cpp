@@ -8,6 +8,7 @@
 #include "flownav/cli/configuration.h"
 #include "flownav/config/config_value.h"
 #include "flownav/core/version.h"
+#include "flownav/math/units.h"
 #include "flownav/sim/drive_script.h"
 #include "flownav/sim/generate_world.h"
 #include "flownav/sim/sdf_world.h"
@@ -19,10 +20,9 @@ namespace {
 using Text = TCLAP::ValueArg<std::string>;
 using Number = TCLAP::ValueArg<double>;
 
-constexpr double degree = M_PI / 180.0;
 constexpr double longest_s = 86400.0;
 
-/// The arguments as TCLAP sees them.
+/// The arguments as TCLAP options.
 struct Arguments {
     explicit Arguments(TCLAP::CmdLine& c) : command(c) {}
 
@@ -68,7 +68,7 @@ std::uint64_t seed_of(Arguments& a) {
     return static_cast<std::uint64_t>(in_range(a.seed, 0, std::numeric_limits<int>::max()));
 }
 
-/// What is missing or does not go together; empty when all is well.
+/// Describes missing or contradictory arguments; empty when they are valid.
 std::string complaint(Arguments& a) {
     for (const std::string& word : a.worlds.getValue())
         if (word.rfind('-', 0) == 0) return "there is no option " + word;
@@ -103,7 +103,7 @@ void take_world(Arguments& a, SimOptions& options) {
 }
 
 std::optional<sim::TimedPath> path_of(Arguments& a, const Pose2& start) {
-    const sim::PathSpeed speed{in_range(a.speed, 0.01, 5.0), in_range(a.turn, 0.1, 180.0) * degree};
+    const sim::PathSpeed speed{in_range(a.speed, 0.01, 5.0), in_range(a.turn, 0.1, 180.0) * degree_rad};
     if (a.path.isSet()) {
         const auto given = a.speed.isSet() ? std::make_optional(speed) : std::nullopt;
         sim::TimedPath path = sim::read_path(a.path.getValue(), given);
@@ -115,15 +115,15 @@ std::optional<sim::TimedPath> path_of(Arguments& a, const Pose2& start) {
     RobotModel robot;
     robot.v_max_mps = speed.v_mps;
     robot.v_back_mps = speed.v_mps;
-    robot.omega_max_radps = 2 * speed.omega_radps;  // a script begins with half of it
+    robot.omega_max_radps = 2 * speed.omega_radps;  // a script starts at half of this
     try {
         return sim::drive_script(a.script.getValue(), robot, start);
     } catch (const sim::PathError& error) {
-        throw config::ConfigError(error.what());  // of the command line, not of a file
+        throw config::ConfigError(error.what());  // reported as an error of the command line, not of a file
     }
 }
 
-/// Value of a key of the camera: the option, the ini, or the default.
+/// Value of a camera key: from the option, the ini, or the default.
 double camera_value(Text& option, const std::string& key, std::optional<double> config::CameraConfig::*member,
                     config::Config& config, double otherwise) {
     if (option.isSet()) config::set_config_value(config, key, option.getValue());
@@ -136,19 +136,23 @@ CameraModel camera_model_of(Arguments& a) {
     camera.width_px = a.interlaced.getValue() && !a.width_px.isSet() ? 768 : in_range(a.width_px, 64, 4096);
     camera.height_px =
         a.interlaced.getValue() && !a.height_px.isSet() ? 576 : in_range(a.height_px, 48, 4096);
-    const double half_rad = in_range(a.fov, 10.0, 140.0) / 2 * degree;
+    const double half_rad = in_range(a.fov, 10.0, 140.0) / 2 * degree_rad;
     const config::CameraConfig& ini = config.camera;
     camera.fx_px = ini.fx_px.value_or(camera.width_px / 2.0 / std::tan(half_rad));
     camera.fy_px = ini.fy_px.value_or(camera.fx_px);
     camera.cx_px = ini.cx_px.value_or((camera.width_px - 1) / 2.0);
     camera.cy_px = ini.cy_px.value_or((camera.height_px - 1) / 2.0);
-    if (ini.distortion) camera.distortion = *ini.distortion;
+    if (ini.distortion) {
+        camera.distortion = *ini.distortion;
+        camera.lens = &find_lens(ini.lens);
+    }
     camera.mount.height_m =
         camera_value(a.height, "camera.height_m", &config::CameraConfig::height_m, config, 0.9);
     camera.mount.pitch_rad =
-        camera_value(a.pitch, "camera.pitch_deg", &config::CameraConfig::pitch_deg, config, 25.0) * degree;
-    camera.mount.roll_rad = ini.roll_deg.value_or(0.0) * degree;
-    camera.mount.yaw_rad = ini.yaw_deg.value_or(0.0) * degree;
+        camera_value(a.pitch, "camera.pitch_deg", &config::CameraConfig::pitch_deg, config, 25.0) *
+        degree_rad;
+    camera.mount.roll_rad = ini.roll_deg.value_or(0.0) * degree_rad;
+    camera.mount.yaw_rad = ini.yaw_deg.value_or(0.0) * degree_rad;
     camera.mount.forward_m = ini.forward_m.value_or(0.0);
     camera.mount.left_m = ini.left_m.value_or(0.0);
     return camera;
@@ -186,11 +190,8 @@ std::optional<SimOptions> parse_sim_options(const std::vector<std::string>& argu
     TCLAP::CmdLine command("", ' ', version());
     cli::CommandOutput output(command, "flownav-sim", sim_help, out, error);
     const auto args = std::make_unique<Arguments>(command);
-    std::vector<const char*> argv;
-    argv.reserve(arguments.size());
-    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
     status = 0;
-    if (!command.parse(static_cast<int>(argv.size()), argv.data())) {
+    if (!cli::parse_arguments(command, arguments)) {
         status = output.failed() ? 1 : 0;
         return std::nullopt;
     }

@@ -13,11 +13,11 @@
 
 namespace flownav {
 
-/// What flownav-sim was asked for.
+/// Parsed command line of flownav-sim.
 struct SimOptions {
     sim::World world;
-    std::vector<std::string> warnings;   ///< about the world
-    std::optional<sim::TimedPath> path;  ///< none: no drive, only --write-world
+    std::vector<std::string> warnings;   ///< warnings of the world file
+    std::optional<sim::TimedPath> path;  ///< empty: no drive, only --write-world
     sim::CameraSimParams camera;
     sim::OdometryParams odometry;
     std::filesystem::path output;       ///< the rawlog
@@ -25,7 +25,7 @@ struct SimOptions {
     bool quiet = false;
 };
 
-/// What the arguments ask for, or nothing when they have been answered; then `status` says how. Throws
+/// Parses the arguments; empty when they have been answered, with the exit status in `status`. Throws
 /// ConfigError, and sim::WorldError or sim::PathError for a world or a path that cannot be read.
 std::optional<SimOptions> parse_sim_options(const std::vector<std::string>& arguments, std::ostream& out,
                                             std::ostream& error, int& status);

@@ -12,7 +12,7 @@
 
 namespace flownav::view {
 
-/// What a background reader has found since it was asked last.
+/// Results of a background reader since the last call.
 struct BackgroundNews {
     std::vector<evaluation::FieldRow> rows;
     std::vector<MapPoint> points;
@@ -23,15 +23,15 @@ struct BackgroundNews {
     io::ReadEnd end;
     std::string stop_reason;
     double progress = 0.0;
-    std::string failure;  ///< why nothing at all can be shown; empty otherwise
+    std::string failure;  ///< why the drive cannot be shown; empty otherwise
 };
 
-/// Runs ahead through a drive and takes down a little of every field, with checkpoints to come back to.
+/// Reads ahead through a drive and keeps a summary of every field, with checkpoints to resume from.
 class BackgroundReader {
   public:
     enum class Way {
-        Thread,  ///< by itself, in the background
-        Asked,   ///< only in work()
+        Thread,  ///< in its own thread
+        Asked,   ///< in work() only
     };
 
     /// `follow`: the file may still grow. Throws InputError.
@@ -40,12 +40,12 @@ class BackgroundReader {
     BackgroundReader(const BackgroundReader&) = delete;
     BackgroundReader& operator=(const BackgroundReader&) = delete;
 
-    /// Processes up to `fields` fields; false when there are no more.
+    /// Processes up to `fields` fields. Returns false when there are no more.
     bool work(std::size_t fields);
 
     BackgroundNews take();
 
-    /// A checkpoint every so many fields from now on.
+    /// Sets the number of fields between checkpoints from now on.
     void set_stride(std::size_t fields) { stride_ = fields; }
 
   private:
@@ -57,7 +57,7 @@ class BackgroundReader {
     Runner runner_;
     bool follow_;
     std::atomic<std::size_t> stride_{8};
-    std::mutex mutex_;  ///< of news_ and of the end
+    std::mutex mutex_;  ///< protects news_ and the end
     BackgroundNews news_;
     std::condition_variable wake_;
     bool leave_ = false;

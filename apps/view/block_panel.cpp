@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "flownav/cli/number_text.h"
+#include "flownav/math/units.h"
 #include "flownav/report/label_style.h"
 #include "ink.h"
 
@@ -12,7 +13,6 @@ namespace flownav::view {
 
 namespace {
 
-constexpr double deg = 180.0 / M_PI;
 constexpr int margin_px = 8;
 constexpr int axis_px = 18;
 constexpr int caption_px = 6 * 16 + 6;
@@ -45,7 +45,7 @@ HeatScale scale_of(const SadWindow& window) {
     return scale;
 }
 
-/// One pixel an offset: dark is a good match, bright a bad one, hatched grey lies outside the image.
+/// Draws one pixel per offset: dark is a good match, bright a bad one, hatched grey outside the image.
 cv::Mat heat_map(const SadWindow& window) {
     const HeatScale scale = scale_of(window);
     cv::Mat heat(flow::search_px, flow::search_px, CV_8UC1);
@@ -132,7 +132,7 @@ std::vector<std::string> block_lines(const Frame& frame, std::size_t index) {
         "measured in " + measured_in(block),
         "ground window " + std::string(block.in_ground_window ? "yes" : "no"),
         "excess (13) " + cli::fixed_text(block.excess_px, 2) + " px",
-        "omega (4) " + cli::fixed_text(block.omega_rad * deg, 3) + " deg",
+        "omega (4) " + cli::fixed_text(deg(block.omega_rad), 3) + " deg",
         "ray at " + pair_text(block.ray.at, 4),
         "ray flow " + pair_text(block.ray.flow, 5),
         "ray sigma " + pair_text(block.ray.sigma, 5),

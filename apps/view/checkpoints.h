@@ -7,21 +7,21 @@
 
 namespace flownav::view {
 
-/// Checkpoints of a drive, spread evenly, in bounded memory: when there are too many, every second one goes.
+/// Evenly spaced checkpoints of a drive in bounded memory: above the limit, every second one is dropped.
 class Checkpoints {
   public:
     explicit Checkpoints(std::size_t bytes_max) : bytes_max_(bytes_max) {}
 
-    /// In rising order of next_index.
+    /// Adds a checkpoint; next_index must rise.
     void add(std::shared_ptr<const Checkpoint> checkpoint);
 
-    /// The last one from which the field `index` lies ahead; null when there is none.
+    /// Returns the last checkpoint from which field `index` lies ahead; null when there is none.
     std::shared_ptr<const Checkpoint> before(std::size_t index) const;
 
     bool empty() const { return kept_.empty(); }
     std::size_t size() const { return kept_.size(); }
     std::size_t bytes() const { return bytes_; }
-    std::size_t stride() const { return stride_; }  ///< fields from one to the next that is worth adding
+    std::size_t stride() const { return stride_; }  ///< minimum number of fields between checkpoints
 
   private:
     void thin();

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double usual_rate_hz = 25.0;
 
-/// Fields a second over the marked stretch.
+/// Fields per second of the marked stretch.
 double rate_hz(const ViewModel& model) {
     const Timeline& timeline = model.timeline();
     const auto [first, last] = model.stretch();
@@ -26,7 +26,7 @@ double rate_hz(const ViewModel& model) {
 
 Clip::Clip(const ViewModel& model, std::filesystem::path file, const cv::Size& size)
     : file_(std::move(file), rate_hz(model)),
-      size_(size.width / 2 * 2, size.height / 2 * 2) {  // H.264 wants even numbers
+      size_(size.width / 2 * 2, size.height / 2 * 2) {  // H.264 needs even dimensions
     std::tie(next_, last_) = model.stretch();
 }
 

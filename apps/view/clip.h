@@ -7,17 +7,17 @@
 
 namespace flownav::view {
 
-/// A stretch of the drive as a video (H.264 in MP4) of the view, as fast as the drive was. Field by field, so
-/// that a window stays alive meanwhile.
+/// A video (H.264 in MP4) of the view over a stretch of the drive, at the speed of the drive. Pictures are
+/// added one by one, so that a window stays responsive.
 class Clip {
   public:
-    /// The stretch that is marked in the model. Throws OutputError when `file` cannot be written.
+    /// Exports the stretch marked in the model. Throws OutputError when `file` cannot be written.
     Clip(const ViewModel& model, std::filesystem::path file, const cv::Size& size);
 
-    /// Shows the next field in the model and adds its picture; false when all have been added.
+    /// Shows the next field in the model and adds its picture. Returns false when all have been added.
     bool add_next(ViewModel& model, const Look& look);
 
-    /// Completes the file. Throws OutputError when it did not become a whole video, as on a full disk.
+    /// Completes the file. Throws OutputError when the video is incomplete, as on a full disk.
     void close() { file_.close(); }
 
     std::size_t pictures() const { return file_.pictures(); }

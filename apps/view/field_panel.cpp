@@ -7,6 +7,7 @@
 #include "flownav/cli/number_text.h"
 #include "flownav/core/plane_geometry.h"
 #include "flownav/flow/kernel.h"
+#include "flownav/math/units.h"
 #include "flownav/report/field_drawing.h"
 #include "focus_exclusion.h"
 #include "ink.h"
@@ -17,10 +18,9 @@ namespace {
 
 constexpr int margin_px = 8;
 constexpr int cone_cell_px = 4;
-constexpr double deg = 180.0 / M_PI;
 const cv::Scalar cone_colour(200, 0, 120);
 
-/// The legend takes fewer lines where there is room.
+/// Height of the legend; a wide panel needs fewer lines.
 int legend_px(int width_px) {
     return (width_px > 1000 ? 4 : 6) * line_px + 4;
 }
@@ -52,7 +52,7 @@ void draw_focus_exclusion(cv::Mat& picture, const Frame& frame, double focus_exc
     cv::polylines(picture, outlines, true, cone_colour, 1, cv::LINE_AA);
 }
 
-/// A small cross where the prediction expected the end of the vector.
+/// Draws a small cross at the predicted end of each vector.
 void draw_predictions(cv::Mat& picture, const pipeline::Step& step, const report::FieldScale& scale) {
     for (const auto& block : step.blocks) {
         if (step.image_of_cycle == 0 || block.label == BlockLabel::Unplaced) continue;
@@ -82,8 +82,8 @@ std::string state_text(const Frame& frame) {
     const pipeline::Step& step = frame.step;
     std::string text = std::string("status ") + to_string(step.status);
     if (step.status == FieldStatus::Ok) {
-        text += "    turn " + cli::fixed_text(step.omega_radps * deg, 2) + " deg/s    pitch rate " +
-                cli::fixed_text(step.pitch_rate_radps * deg, 2) + " deg/s";
+        text += "    turn " + cli::fixed_text(deg(step.omega_radps), 2) + " deg/s    pitch rate " +
+                cli::fixed_text(deg(step.pitch_rate_radps), 2) + " deg/s";
     }
     if (step.status != FieldStatus::Waiting) {
         text +=

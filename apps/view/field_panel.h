@@ -7,30 +7,30 @@
 
 namespace flownav::view {
 
-/// What of a field is drawn.
+/// Contents of the field panel.
 struct FieldPanelContent {
     const Frame& frame;
     flow::FlowParams flow;
-    std::optional<std::size_t> hovered;  ///< block to point out
+    std::optional<std::size_t> hovered;  ///< index of the highlighted block
     bool predictions = true;
 };
 
-/// Where the field lies in its panel.
+/// Position of the field in its panel.
 struct FieldPlace {
     cv::Rect area;        ///< of the picture of the field
-    double zoom_x = 1.0;  ///< pixels of the panel for one of the field
+    double zoom_x = 1.0;  ///< panel pixels per field pixel
     double zoom_y = 1.0;
 
-    /// The pixel of the field under a pixel of the panel; nothing beside the field.
+    /// Converts a panel pixel to a field pixel; empty beside the field.
     std::optional<Eigen::Vector2d> field_px(const cv::Point& at) const;
     cv::Point panel_px(const Eigen::Vector2d& field_px) const;
 };
 
-/// The largest place for the field, in its true shape, above the legend.
+/// The largest place for the field above the legend, keeping its aspect ratio.
 FieldPlace field_place(const Field& field, const cv::Size& panel);
 
-/// The field (8-bit BGR, `size`): blocks coloured by their label where they are now, vectors as arrows, what
-/// the prediction expected as crosses, the ground window, the blind cone; with legend and counts below.
+/// Draws the field (8-bit BGR, `size`): blocks coloured by label at their current place, vectors as arrows,
+/// predictions as crosses, the ground window, the focus exclusion; with legend and counts below.
 cv::Mat field_panel(const FieldPanelContent& content, const cv::Size& size);
 
 }  // namespace flownav::view

@@ -5,9 +5,9 @@
 
 namespace flownav::view {
 
-/// The pixels of the camera where |e| < focus_exclusion: about the focus of expansion nothing moves enough while
-/// the robot drives straight, and no block is placed there. 8-bit, 255 inside, one entry for `cell_px` x
-/// `cell_px` pixels. Of the focus itself: where e vanishes, if that is in the image.
+/// Mask of the camera pixels where |e| < focus_exclusion. Near the focus of expansion the flow of a straight
+/// drive is too small, and no block is placed there. 8-bit, 255 inside, one entry per `cell_px` x `cell_px`
+/// pixels.
 cv::Mat focus_exclusion_mask(const RayMapper& mapper, double focus_exclusion, int cell_px);
 
 }  // namespace flownav::view

@@ -8,7 +8,7 @@
 
 namespace flownav::view {
 
-/// What the last finished cycle found, in the robot frame of its end.
+/// Results of the last finished cycle, in the robot frame at its end.
 struct CycleResult {
     double timestamp_s = 0.0;
     Pose2 T_start_robot;
@@ -17,14 +17,14 @@ struct CycleResult {
     VirtualScan scan;
 };
 
-/// One field with everything the pipeline knows about it.
+/// One field with its record of the pipeline.
 struct Frame {
-    std::size_t index = 0;  ///< of the fields of the recording, from 0
+    std::size_t index = 0;  ///< index of the field in the recording, from 0
     Field field;
-    std::optional<Field> reference;  ///< what the field was compared with; nothing for a first field
+    std::optional<Field> reference;  ///< the field it was compared with; empty for a first field
     pipeline::Step step;
     std::shared_ptr<const CycleResult> last_cycle;  ///< null before the first finished cycle
-    bool preview = false;  ///< computed from a few fields only: the numbers are about, not exactly, final
+    bool preview = false;  ///< computed from a few fields only: the numbers are approximate
 };
 
 }  // namespace flownav::view

@@ -2,41 +2,43 @@
 #include <opencv2/core/mat.hpp>
 #include <string>
 
+#include "flownav/report/palette.h"
+
 namespace flownav::view {
 
-// Colours, BGR; those with a name are of the palette of Okabe and Ito.
-const cv::Scalar paper(255, 255, 255);
-const cv::Scalar ink(30, 30, 30);
+// Colours as OpenCV draws them.
+const cv::Scalar paper = report::palette::paper;
+const cv::Scalar ink = report::palette::ink;
 const cv::Scalar faint(225, 225, 225);
 const cv::Scalar grey(130, 130, 130);
-const cv::Scalar orange(0, 159, 230);
-const cv::Scalar sky_blue(233, 180, 86);
-const cv::Scalar green(115, 158, 0);
-const cv::Scalar yellow(66, 228, 240);
-const cv::Scalar blue(178, 114, 0);
-const cv::Scalar vermilion(0, 94, 213);
-const cv::Scalar purple(167, 121, 204);
+const cv::Scalar orange = report::palette::orange;
+const cv::Scalar sky_blue = report::palette::sky_blue;
+const cv::Scalar green = report::palette::green;
+const cv::Scalar yellow = report::palette::yellow;
+const cv::Scalar blue = report::palette::blue;
+const cv::Scalar vermilion = report::palette::vermilion;
+const cv::Scalar purple = report::palette::purple;
 
 constexpr double text_scale = 0.45;
-constexpr int line_px = 19;  ///< from one line of text to the next
+constexpr int line_px = 19;  ///< line spacing of text
 
 int text_width(const std::string& text, double scale = text_scale);
 
-/// Writes with the baseline's left end at `at`.
+/// Draws text with the left end of its baseline at `at`.
 void write_text(cv::Mat& picture, const cv::Point& at, const std::string& text,
                 const cv::Scalar& colour = ink, double scale = text_scale);
 
-/// The same on a light ground, to be read above a picture.
+/// Draws text on a light ground, readable above a picture.
 void write_label(cv::Mat& picture, const cv::Point& at, const std::string& text,
                  const cv::Scalar& colour = ink);
 
-/// The part of `text` that is no wider than `width_px`, with "..." where something is missing.
+/// Shortens `text` to `width_px`; "..." replaces the removed part.
 std::string fitted(const std::string& text, int width_px, double scale = text_scale);
 
-/// A line of dashes.
+/// Draws a dashed line.
 void dashed_line(cv::Mat& picture, const cv::Point& from, const cv::Point& to, const cv::Scalar& colour);
 
-/// Entries of a legend in a row, wrapped at the right edge of `area`; returns the height used.
+/// Draws the entries of a legend in a row, wrapped at the right edge of `area`; returns the height used.
 class LegendRow {
   public:
     enum class Mark { Box, Line, Dash, Dot };
@@ -52,7 +54,7 @@ class LegendRow {
     int y_ = area_.y;
 };
 
-/// 1, 2 or 5 times a power of ten, not below `value`.
+/// Smallest 1, 2 or 5 times a power of ten that is not below `value`.
 double round_step(double value);
 
 }  // namespace flownav::view

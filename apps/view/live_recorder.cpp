@@ -14,7 +14,7 @@ namespace flownav::view {
 
 namespace {
 
-/// A new empty file for this run alone.
+/// Creates an empty temporary file.
 std::filesystem::path temporary_file() {
     std::string name = (std::filesystem::temp_directory_path() / "flownav-view-XXXXXX").string();
     const int descriptor = ::mkstemp(name.data());

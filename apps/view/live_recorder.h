@@ -11,8 +11,8 @@
 
 namespace flownav::view {
 
-/// A live source as a rawlog that grows: its fields and odometry go to a temporary file, plain and flushed
-/// object by object, for a viewer that follows it. The file is gone with this.
+/// Records the fields and odometry of a live source to a temporary rawlog, uncompressed and flushed per
+/// object, so that a viewer can follow it. Removes the file in its destructor.
 class LiveRecorder {
   public:
     /// Opens the source and waits for its first field. Throws ConfigError, InputError, OutputError.
@@ -23,13 +23,13 @@ class LiveRecorder {
 
     const std::filesystem::path& file() const { return file_; }
 
-    /// For reading the file: calibration and fields are already as they shall be.
+    /// Configuration for reading the file, whose images are calibrated and split into fields already.
     config::Config config() const;
 
-    /// What is looked at, for people.
+    /// Name of the source, for messages.
     const std::string& source() const { return fields_.settings().source; }
 
-    /// Why no more comes, for people; empty while the source runs.
+    /// Why the source ended, for messages; empty while it runs.
     std::string problem() const;
 
   private:
@@ -47,7 +47,7 @@ class LiveRecorder {
     std::unique_ptr<std::FILE, Closer> stream_;
     bool any_field_ = false;
     std::atomic<bool> leave_{false};
-    mutable std::mutex mutex_;  ///< of problem_
+    mutable std::mutex mutex_;  ///< protects problem_
     std::string problem_;
     std::thread thread_;
 };

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int legend_px = 2 * line_px + 6;
-constexpr double behind_share = 0.25;  // of the height lies behind the robot
+constexpr double behind_share = 0.25;  // share of the height behind the robot
 constexpr double wanted_lines = 8.0;
 
 struct Projection {
@@ -23,7 +23,7 @@ struct Projection {
     cv::Point robot_px;
 
     cv::Point at(const Vector2d& p_m) const {
-        const double far = 30000.0;  // OpenCV's drawing takes no larger coordinates
+        const double far = 30000.0;  // limit of OpenCV's drawing coordinates
         return {cvRound(std::clamp(robot_px.x - p_m.y() * px_per_m, -far, far)),
                 cvRound(std::clamp(robot_px.y - p_m.x() * px_per_m, -far, far))};
     }
@@ -57,7 +57,7 @@ void draw_grid(cv::Mat& picture, const Projection& p) {
     write_text(picture, {picture.cols - 248, 15}, "robot frame in metres, ahead is up", grey, 0.4);
 }
 
-/// T_robot_start, by flow odometry.
+/// T_robot_start by flow odometry.
 Pose2 robot_start(const Frame& frame) {
     return inverse(frame.step.T_start_robot);
 }
@@ -109,7 +109,7 @@ void draw_newest(cv::Mat& picture, const Projection& p, const CycleResult& cycle
                  const Pose2& T_robot_cycle) {
     for (const ObstaclePoint& point : cycle.obstacles) {
         const Vector2d at_m = point.position_m.head<2>();
-        // Its deviation lies along the line of sight.
+        // The deviation is along the line of sight.
         const Vector2d along = at_m.normalized() * point.sigma_m;
         const cv::Scalar& colour = point.moving ? blue : vermilion;
         cv::line(picture, p.at(transform(T_robot_cycle, at_m - along)),
@@ -119,7 +119,7 @@ void draw_newest(cv::Mat& picture, const Projection& p, const CycleResult& cycle
     }
 }
 
-/// The fields up to now whose poses make up a way that is drawn: all, or few enough of a long drive.
+/// Indices of the fields up to now whose poses are drawn as a path, thinned out for a long drive.
 std::vector<std::size_t> fields_of_way(const MapPanelContent& content) {
     constexpr std::size_t most = 2000;
     const std::size_t count = std::min(content.frame.index, content.timeline.rows.size());
@@ -133,7 +133,7 @@ void draw_way(cv::Mat& picture, const std::vector<cv::Point>& way, const cv::Sca
     if (!way.empty()) cv::circle(picture, way.back(), width / 2 + 2, colour, cv::FILLED, cv::LINE_AA);
 }
 
-/// The way of another track up to now, laid over the flow's so that both start alike.
+/// Draws the path of another track up to now, moved to the start of the flow's path.
 void draw_track(cv::Mat& picture, const Projection& p, const MapPanelContent& content,
                 const evaluation::PoseTrack& track, const cv::Scalar& colour, int width) {
     if (track.empty() || content.timeline.rows.empty()) return;
@@ -198,7 +198,7 @@ cv::Mat map_panel(const MapPanelContent& content, const cv::Size& size) {
         draw_scan(picture, p, *cycle, T_robot_cycle);
     }
     draw_points(picture, p, content);
-    // Each is thinner than the one below it, so that none hides another.
+    // Each path is thinner than the one below it, so that all stay visible.
     draw_flow_way(picture, p, content);
     draw_track(picture, p, content, content.timeline.odometry, purple, 3);
     draw_track(picture, p, content, content.timeline.ground_truth, ink, 1);

@@ -1,5 +1,6 @@
 #include "open_window.h"
 
+#include "flownav/cli/exit_status.h"
 #include "flownav/replay/replay.h"
 #include "view_window.h"
 
@@ -14,7 +15,7 @@ int open_window(ViewModel& model, const ViewCommand& command, std::ostream& out,
     } catch (const std::exception& exception) {
         error << "flownav-view: no window can be opened here (" << exception.what()
               << "); use --screenshot, or set DISPLAY\n";
-        return static_cast<int>(replay::ExitStatus::Usage);
+        return cli::exit_code(cli::ExitStatus::Usage);
     }
     window->run();
     window = nullptr;

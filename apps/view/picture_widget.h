@@ -6,18 +6,18 @@
 
 namespace flownav::view {
 
-/// Shows a picture one to one and says what the mouse does on it, in its pixels.
+/// Shows a picture pixel by pixel and reports mouse events in its pixels.
 class PictureWidget : public nanogui::Widget {
   public:
     explicit PictureWidget(nanogui::Widget* parent) : Widget(parent) {}
     ~PictureWidget() override = default;
 
-    /// 8-bit BGR.
+    /// Sets the picture, 8-bit BGR.
     void set_picture(const cv::Mat& picture);
 
-    std::function<void(const cv::Point& at, bool pressed)> on_mouse;  ///< moved, or pressed and moved
+    std::function<void(const cv::Point& at, bool pressed)> on_mouse;  ///< called on a press or move
     std::function<void()> on_leave;
-    std::function<void(const cv::Point& at, double clicks)> on_wheel;  ///< > 0: away from the person
+    std::function<void(const cv::Point& at, double clicks)> on_wheel;  ///< > 0: away from the user
 
     void draw(NVGcontext* context) override;
     bool mouseButtonEvent(const nanogui::Vector2i& p, int button, bool down, int modifiers) override;
@@ -34,7 +34,7 @@ class PictureWidget : public nanogui::Widget {
 
     cv::Mat rgba_;
     bool changed_ = false;
-    int image_ = 0;  ///< of NanoVG; 0: none yet
+    int image_ = 0;  ///< image handle of NanoVG; 0: none yet
     cv::Size image_size_;
 };
 

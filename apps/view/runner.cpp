@@ -7,7 +7,7 @@ namespace flownav::view {
 
 std::size_t Checkpoint::bytes() const {
     constexpr std::size_t inflater_bytes = 50'000;
-    constexpr std::size_t block_bytes = 1200;  // in all lists of the pipeline together
+    constexpr std::size_t block_bytes = 1200;  // total of all lists of the pipeline
     const auto image_bytes = static_cast<std::size_t>(frame.field.image.width_px) *
                              static_cast<std::size_t>(frame.field.image.height_px);
     return inflater_bytes + 2 * image_bytes + block_bytes * frame.step.blocks.size();
@@ -43,7 +43,7 @@ bool Runner::advance() {
 }
 
 void Runner::take(const Field& field) {
-    // The last field becomes the reference of this one when its step said so.
+    // The previous field is the new reference when its step says so.
     if (next_index_ > 0 && evaluation::row_of(frame_.step).starts_reference) frame_.reference = frame_.field;
     frame_.field = field;
     frame_.index = next_index_++;

@@ -12,43 +12,44 @@
 
 namespace flownav::view {
 
-/// Where a Runner stood between two fields. Never changes; threads may share it.
+/// State of a Runner between two fields. Immutable; threads may share it.
 struct Checkpoint {
-    std::size_t next_index = 0;  ///< of the field that comes next
+    std::size_t next_index = 0;  ///< index of the next field
     std::shared_ptr<const io::RawlogReader::Mark> place;
     io::FieldSource source;
     pipeline::State state;
     Frame frame;
 
-    /// About what it holds in memory.
+    /// Approximate memory use.
     std::size_t bytes() const;
 };
 
-/// Drives a rawlog through the pipeline field by field, exactly as flownav-replay does, and can go back.
+/// Runs a rawlog through the pipeline field by field with the results of flownav-replay, and can resume from
+/// a checkpoint.
 class Runner {
   public:
-    /// Throws InputError.
+    /// Throws InputError when the file cannot be read.
     Runner(const std::filesystem::path& file, const config::Config& config);
 
-    /// Processes the next field; false at the end of what can be read. Throws ConfigError when the first
-    /// images cannot be used; later ones end the drive, see stop_reason().
+    /// Processes the next field. Returns false at the end of the readable data. Throws ConfigError when the
+    /// first images cannot be used; later ones end the drive, see stop_reason().
     bool advance();
 
     const Frame& frame() const { return frame_; }
     std::size_t next_index() const { return next_index_; }
 
-    /// Odometry and ground truth read by the last advance(), in front of its field.
+    /// Odometry and ground truth before the field, read by the last advance().
     const std::vector<io::PoseSample>& poses() const { return poses_; }
 
     std::shared_ptr<const Checkpoint> checkpoint() const;
 
-    /// Goes on from a checkpoint of the same file and configuration.
+    /// Resumes from a checkpoint of the same file and configuration.
     void resume(const Checkpoint& checkpoint);
 
-    /// Goes on from there with another pipeline, which knows nothing yet.
+    /// Resumes at the place of a checkpoint with a new pipeline state.
     void resume_afresh(const Checkpoint& checkpoint, const config::Config& config);
 
-    /// At the end of a file that may have grown: tries again.
+    /// Continues reading at the end of a file that may have grown.
     void retry();
 
     const io::ReadEnd& end() const { return reader_->end(); }

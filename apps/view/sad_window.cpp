@@ -21,7 +21,7 @@ Vector2i bias_of(const pipeline::BlockRecord& block) {
     return block.predicted_px.array().round().cast<int>();
 }
 
-/// As the matcher compares them: over all blocks.
+/// Brightness over all blocks, as the matcher computes it.
 flow::Brightness brightness_of(const Frame& frame, const flow::FlowParams& params) {
     if (params.brightness == flow::BrightnessModel::Constant) return {};
     flow::BlockLayout layout;
@@ -36,7 +36,7 @@ flow::Brightness brightness_of(const Frame& frame, const flow::FlowParams& param
     return flow::compare_brightness(frame.reference->image, frame.field.image, layout, bias_px, sums);
 }
 
-/// The offset whose cost `summarise` reports as the second minimum; the first in raster order.
+/// Offset of the cost that `summarise` reports as the second minimum; the first one in raster order.
 Vector2i second_offset(const flow::SadSurface& surface, const flow::SearchRange& range,
                        const flow::BlockMatch& match) {
     for (int nu = range.nu_min; nu <= range.nu_max; ++nu) {

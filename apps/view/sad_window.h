@@ -9,19 +9,19 @@
 
 namespace flownav::view {
 
-/// What the matcher saw of one block in one field: Eq. (2).
+/// Matching costs of one block in one field: Eq. (2).
 struct SadWindow {
     flow::SadSurface surface{};  ///< cost of each offset, row by row; no_cost outside the image
     flow::SearchRange range;     ///< offsets inside the image
-    Eigen::Vector2i corner_px = Eigen::Vector2i::Zero();  ///< of the block in the reference
-    Eigen::Vector2i bias_px = Eigen::Vector2i::Zero();    ///< of the window: the predicted flow, rounded
-    Eigen::Vector2i second = Eigen::Vector2i::Zero();     ///< offset (mu, nu) of the second minimum
+    Eigen::Vector2i corner_px = Eigen::Vector2i::Zero();  ///< corner of the block in the reference
+    Eigen::Vector2i bias_px = Eigen::Vector2i::Zero();  ///< centre of the window: the predicted flow, rounded
+    Eigen::Vector2i second = Eigen::Vector2i::Zero();   ///< offset (mu, nu) of the second minimum
     flow::BlockMatch match;
-    flow::Brightness brightness;  ///< the newer field's against the reference's
+    flow::Brightness brightness;  ///< of the newer field relative to the reference
 };
 
-/// Matches a block of the frame once more, in the same way. Nothing when the field was compared with no
-/// other, or no offset of the window lies inside the image.
+/// Repeats the matching of a block of the frame. Empty when the field has no reference, or no offset of the
+/// window lies inside the image.
 std::optional<SadWindow> sad_window(const Frame& frame, std::size_t block, const flow::FlowParams& params);
 
 }  // namespace flownav::view

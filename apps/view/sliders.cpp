@@ -13,7 +13,7 @@ const std::vector<SliderKey>& slider_keys() {
          [](const config::Config& c) { return static_cast<double>(c.pipeline.flow.blocks); }},
         {"flow.confidence_min", "confidence", 0.0, 0.4, 0.01,
          [](const config::Config& c) { return c.pipeline.flow.confidence_min; }},
-        {"flow.blind_cone", "blind cone", 0.0, 0.6, 0.01,
+        {"flow.focus_exclusion", "blind cone", 0.0, 0.6, 0.01,
          [](const config::Config& c) { return c.pipeline.flow.focus_exclusion; }},
         {"obstacles.lambda_px", "lambda px", 0.1, 4.0, 0.05,
          [](const config::Config& c) { return c.pipeline.obstacles.lambda_px; }},

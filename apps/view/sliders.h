@@ -6,11 +6,11 @@
 
 namespace flownav::view {
 
-/// A parameter that can be changed while looking.
+/// A parameter with a slider.
 struct SliderKey {
     std::string key;    ///< section.key of the configuration
-    std::string label;  ///< with its unit
-    double low = 0.0;   ///< of the slider; the configuration may allow more
+    std::string label;  ///< label with unit
+    double low = 0.0;   ///< range of the slider; the configuration may allow more
     double high = 1.0;
     double step = 0.01;
     double (*value)(const config::Config&) = nullptr;
@@ -18,10 +18,10 @@ struct SliderKey {
 
 const std::vector<SliderKey>& slider_keys();
 
-/// The value of a slider at `share` (0..1) of its way, as text for the configuration.
+/// Converts a slider position (0..1) to the text of the configuration value.
 std::string slider_text(const SliderKey& key, double share);
 
-/// Where a slider stands, 0..1.
+/// Converts a configuration value to its slider position, 0..1.
 double slider_share(const SliderKey& key, const config::Config& config);
 
 }  // namespace flownav::view

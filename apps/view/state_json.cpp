@@ -32,7 +32,7 @@ Json json_of(const pipeline::BlockRecord& block, const std::optional<SadWindow>&
 Json json_of(const config::Config& config) {
     return {{"confidence_min", config.pipeline.flow.confidence_min},
             {"blocks", config.pipeline.flow.blocks},
-            {"blind_cone", config.pipeline.flow.focus_exclusion},
+            {"focus_exclusion", config.pipeline.flow.focus_exclusion},
             {"tau_px", config.pipeline.obstacles.tau_px},
             {"lambda_px", config.pipeline.obstacles.lambda_px},
             {"neighbours", config.pipeline.obstacles.neighbours},

@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "flownav/cli/number_text.h"
+#include "flownav/math/units.h"
 #include "ink.h"
 
 namespace flownav::view {
@@ -18,9 +19,8 @@ constexpr int right_px = 14;
 constexpr int axis_px = 22;
 constexpr int band_px = 18;
 constexpr int gap_px = 6;
-constexpr double deg = 180.0 / M_PI;
 
-/// One curve: its words, its colour and its value of a field, if it has one.
+/// One curve: label, colour and value per field, if the field has one.
 struct Curve {
     const char* label;
     cv::Scalar colour;
@@ -32,7 +32,7 @@ const std::array<Curve, 3>& curves() {
     static const std::array<Curve, 3> all = {{{"turn deg/s", vermilion,
                                                [](const evaluation::FieldRow& row) -> std::optional<double> {
                                                    if (row.status != FieldStatus::Ok) return std::nullopt;
-                                                   return row.omega_radps * deg;
+                                                   return deg(row.omega_radps);
                                                },
                                                false},
                                               {"speed m/s", blue,
@@ -90,7 +90,7 @@ Span range_of(const Timeline& timeline, const Curve& curve) {
     return range;
 }
 
-/// Draws each column from the smallest to the largest value in it, joined to the column before.
+/// Draws each column from its smallest to its largest value, joined to the previous column.
 void draw_curve(cv::Mat& panel, const cv::Rect& area, const StripPanelContent& content, const Curve& curve) {
     const Timeline& timeline = content.timeline;
     const Span range = range_of(timeline, curve);
@@ -101,7 +101,7 @@ void draw_curve(cv::Mat& panel, const cv::Rect& area, const StripPanelContent& c
     cv::rectangle(panel, area, faint);
     if (range.low < 0.0 && range.high > 0.0)
         cv::line(panel, {area.x, y_of(0.0)}, {area.x + area.width, y_of(0.0)}, faint);
-    cv::Point last(-1, 0);  // left of the panel: the curve begins anew
+    cv::Point last(-1, 0);  // left of the panel: starts a new curve
     for (std::size_t i = 0; i < timeline.rows.size(); ++i) {
         const auto value = curve.value(timeline.rows[i]);
         if (!value) {
@@ -139,7 +139,7 @@ void draw_band(cv::Mat& panel, const cv::Rect& area, const Timeline& timeline) {
     for (int c = 0; c < panel.cols; ++c) {
         const auto& shown = worst[static_cast<std::size_t>(c)];
         if (!shown) continue;
-        const cv::Scalar colour = status_colour(timeline.rows[*shown].status);
+        const cv::Scalar colour = report::colour_of(timeline.rows[*shown].status);
         cv::line(panel, {c, area.y}, {c, area.y + area.height - 1},
                  *shown < timeline.current ? colour : pale(colour));
     }
@@ -176,28 +176,12 @@ void draw_status_legend(cv::Mat& panel, int top) {
     for (auto status = all_field_statuses.rbegin(); status != all_field_statuses.rend(); ++status) {
         const std::string text = to_string(*status);
         x -= text_width(text, 0.4) + 24;
-        cv::rectangle(panel, {x, top + 2, 10, 10}, status_colour(*status), cv::FILLED);
+        cv::rectangle(panel, {x, top + 2, 10, 10}, report::colour_of(*status), cv::FILLED);
         write_text(panel, {x + 14, top + 11}, text, ink, 0.4);
     }
 }
 
 }  // namespace
-
-cv::Scalar status_colour(FieldStatus status) {
-    switch (status) {
-        case FieldStatus::Ok:
-            return green;
-        case FieldStatus::Waiting:
-            return {187, 187, 187};
-        case FieldStatus::NoTexture:
-            return yellow;
-        case FieldStatus::Lost:
-            return vermilion;
-        case FieldStatus::BadField:
-            return {0, 0, 0};
-    }
-    return paper;
-}
 
 int strip_column(const Timeline& timeline, double time_s, int width_px) {
     const int width = std::max(1, width_px - left_px - right_px);

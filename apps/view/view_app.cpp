@@ -5,6 +5,7 @@
 #include "clip.h"
 #include "flownav/cli/command_output.h"
 #include "flownav/cli/configuration.h"
+#include "flownav/cli/exit_status.h"
 #include "flownav/core/version.h"
 #include "flownav/io/output_file.h"
 #include "flownav/replay/replay.h"
@@ -15,8 +16,8 @@ namespace flownav::view {
 
 namespace {
 
-constexpr int usage_status = static_cast<int>(replay::ExitStatus::Usage);
-constexpr double strip_after_s = 60.0;  // of the drive, beyond a screenshot
+constexpr int usage_status = cli::exit_code(cli::ExitStatus::Usage);
+constexpr double strip_after_s = 60.0;  // time read beyond a screenshot
 
 constexpr auto help = R"(Looks at a rawlog through the optic-flow sensor: why it saw, or missed, something.
 
@@ -25,7 +26,7 @@ flownav-view FILE.rawlog --screenshot F.png [--at SECONDS] [--point U,V] [--size
 flownav-view --live CONFIG.ini [--size WxH]
 
   FILE.rawlog               images of one camera (and odometry, ground truth), plain or gz
-  --config FILE.ini         configuration; flownav-config --doc lists every key
+  --config FILE.ini         configuration; flownav-config --doc --keys everyday|all lists the keys
   --set section.key=value   sets one key, after the file; may be given several times
   --follow                  the rawlog is still being written: go on at its end
   --live CONFIG.ini         a camera, stream, video or folder, configured as for rawlog-grabber with the driver
@@ -48,7 +49,7 @@ Exit status:
   3  output could not be written
 )";
 
-/// Two numbers with a separator between them.
+/// Parses two numbers with a separator between them.
 std::pair<double, double> two_numbers(const std::string& option, const std::string& text, char separator) {
     const auto at = text.find(separator);
     try {
@@ -58,7 +59,7 @@ std::pair<double, double> two_numbers(const std::string& option, const std::stri
         const double a = std::stod(text.substr(0, at), &first);
         const double b = std::stod(text.substr(at + 1), &second);
         if (first == at && second == text.size() - at - 1) return {a, b};
-    } catch (const std::logic_error&) {  // falls through to the message
+    } catch (const std::logic_error&) {  // reported by the throw below
     }
     throw config::ConfigError(option + ' ' + text + ": needs the form A" + separator + 'B');
 }
@@ -72,7 +73,8 @@ cv::Size size_of(const std::string& text) {
     return {static_cast<int>(width), static_cast<int>(height)};
 }
 
-/// Throws ConfigError: none, several, an unknown option, or nothing that can be read.
+/// Returns the only input. Throws ConfigError for none, several, an unknown option, a missing file or a
+/// folder.
 std::string only_input(const std::vector<std::string>& inputs) {
     if (inputs.empty()) throw config::ConfigError("needs FILE.rawlog; try flownav-view --help");
     for (const std::string& input : inputs) {
@@ -102,10 +104,7 @@ std::optional<ViewCommand> parse(const std::vector<std::string>& arguments, std:
     TCLAP::ValueArg<std::string> live("", "live", "", false, "", "CONFIG.ini", command);
     TCLAP::SwitchArg follow("", "follow", "", command);
     TCLAP::SwitchArg print_state("", "print-state", "", command);
-    std::vector<const char*> argv;
-    argv.reserve(arguments.size());
-    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-    if (!command.parse(static_cast<int>(argv.size()), argv.data())) {
+    if (!cli::parse_arguments(command, arguments)) {
         if (output.failed()) throw config::ConfigError("");
         return std::nullopt;
     }
@@ -131,15 +130,15 @@ std::optional<ViewCommand> parse(const std::vector<std::string>& arguments, std:
     return result;
 }
 
-/// 2 when the input ended in another way than it should.
+/// Returns 0 for a clean end of the input; otherwise prints the message and returns 2.
 int status_of(const ViewModel& model, std::ostream& error) {
     const std::string end = model.timeline().end_text();
     if (end.empty()) return 0;
     error << "flownav-view: " << end << '\n';
-    return static_cast<int>(replay::ExitStatus::Input);
+    return cli::exit_code(cli::ExitStatus::Input);
 }
 
-/// Reads up to the moment, and somewhat further for the chart.
+/// Reads the drive up to `time_s`, and somewhat further for the chart.
 void read_until(ViewModel& model, double time_s) {
     constexpr std::size_t at_once = 64;
     for (bool more = true; more;) {
@@ -170,7 +169,7 @@ int look(const ViewCommand& command, const OpenWindow& open_window, std::ostream
     return status == 0 ? status_of(model, error) : status;
 }
 
-/// The window outlives the source: what came is still there to be looked at.
+/// Shows a live source. The window stays open after the source has ended.
 int look_live(ViewCommand command, const OpenWindow& open_window, std::ostream& out, std::ostream& error) {
     const LiveRecorder spool(command.live);
     command.options.input = spool.file();
@@ -199,10 +198,10 @@ int run_view_app(const std::vector<std::string>& arguments, const OpenWindow& op
         return usage_status;
     } catch (const io::InputError& exception) {
         say(exception);
-        return static_cast<int>(replay::ExitStatus::Input);
+        return cli::exit_code(cli::ExitStatus::Input);
     } catch (const io::OutputError& exception) {
         say(exception);
-        return static_cast<int>(replay::ExitStatus::Output);
+        return cli::exit_code(cli::ExitStatus::Output);
     }
 }
 

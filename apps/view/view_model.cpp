@@ -7,16 +7,16 @@ namespace flownav::view {
 
 namespace {
 
-constexpr double preview_s = 1.0;  // so much of the drive is recomputed for a preview
+constexpr double preview_s = 1.0;  // length of the drive that is recomputed for a preview
 constexpr double half_block_px = flow::block_px / 2.0;
 
-/// Where a block is drawn.
+/// Pixel at which a block is drawn.
 Eigen::Vector2d shown_px(const pipeline::BlockRecord& block) {
     const bool moved = block.vector.valid && block.label != BlockLabel::Sifted;
     return moved ? block.vector.at_px + block.vector.flow_px : block.vector.at_px;
 }
 
-/// False for blocks of which nothing has been recorded yet.
+/// False for blocks without a recorded place.
 bool has_place(const pipeline::BlockRecord& block) {
     return block.vector.at_px.x() > 0.0;
 }
@@ -45,7 +45,7 @@ void ViewModel::require_field() {
 }
 
 void ViewModel::restart_scout() {
-    background_reader_.reset();  // one at a time
+    background_reader_.reset();  // only one reader runs at a time
     background_reader_ =
         std::make_unique<BackgroundReader>(options_.input, config_, options_.way, options_.follow);
     background_reader_->set_stride(checkpoints_.stride());
@@ -61,7 +61,7 @@ bool ViewModel::poll() {
     background_reader_->set_stride(checkpoints_.stride());
     take_poses(news.poses);
     take_rows(news);
-    // The end of a file that still grows is no end.
+    // The end of a growing file is not final.
     const bool complete = news.complete && (!options_.follow || !news.failure.empty());
     const bool changed = !news.rows.empty() || complete != timeline_.complete;
     timeline_.complete = complete;
@@ -89,7 +89,7 @@ void ViewModel::take_poses(const std::vector<io::PoseSample>& poses) {
     for (const io::PoseSample& sample : poses) {
         const bool truth = sample.source == io::PoseSample::Source::GroundTruth;
         double& last_s = truth ? last_truth_s_ : last_odometry_s_;
-        if (sample.timestamp_s <= last_s) continue;  // known from a run with other parameters
+        if (sample.timestamp_s <= last_s) continue;  // already known from a run with other parameters
         last_s = sample.timestamp_s;
         (truth ? timeline_.ground_truth : timeline_.odometry).add(sample.timestamp_s, sample.pose);
     }
@@ -209,7 +209,7 @@ void ViewModel::set(const std::string& key, const std::string& value) {
     config::Config changed = config_;
     config::set_config_value(changed, key, value);
     config_ = changed;
-    // The checkpoints that reach farther remain as places in the file.
+    // Keeps the set of checkpoints that reaches farther, as places in the file.
     if (checkpoints_.size() >= earlier_checkpoints_.size()) earlier_checkpoints_ = std::move(checkpoints_);
     checkpoints_ = Checkpoints(options_.checkpoint_bytes);
     if (timeline_.current > 0) {

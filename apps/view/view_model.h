@@ -18,42 +18,44 @@ struct ViewOptions {
     std::filesystem::path input;
     config::Config config;
     BackgroundReader::Way way = BackgroundReader::Way::Thread;
-    std::string name;                            ///< to show; empty: that of the file
-    bool follow = false;                         ///< the rawlog still grows
-    std::size_t checkpoint_bytes = 100'000'000;  ///< twice that while parameters change
+    std::string name;     ///< name to show; empty: that of the file
+    bool follow = false;  ///< the rawlog still grows
+    /// Limit of the checkpoints; twice that while parameters change.
+    std::size_t checkpoint_bytes = 100'000'000;
 };
 
-/// Everything the viewer does, without a window: which field is shown, what is known of the drive, what is
-/// under the mouse, what the parameters are. Every call returns soon; whatever takes long runs ahead in the
-/// background and comes in with poll().
+/// The viewer without its window: the shown field, the summary of the drive, the block under the mouse, the
+/// parameters. No call blocks for long; long work runs in the background and its results arrive with poll().
 class ViewModel {
   public:
-    /// Shows the first field. Throws InputError: nothing can be read; ConfigError: no field can be used.
+    /// Shows the first field. Throws InputError when the file cannot be read, ConfigError when no field can
+    /// be used.
     explicit ViewModel(const ViewOptions& options);
 
-    /// Takes in what was found in the background. True when something changed that can be seen.
+    /// Takes in the results of the background. Returns true when the picture has changed.
     bool poll();
 
-    /// For Scout::Way::Asked: lets the background process so many fields; false when there are no more.
+    /// For BackgroundReader::Way::Asked: lets the background process `fields` fields. Returns false when
+    /// there are no more.
     bool work(std::size_t fields);
 
-    /// Shows field `index`, or the last one that is known: exactly as flownav-replay sees it or, where new
-    /// parameters have not been tried from the start yet, as a preview.
+    /// Shows field `index`, or the last one read. The result equals flownav-replay's, except for a preview: a
+    /// field that has not been computed from the start with the present parameters.
     void show(std::size_t index);
 
-    /// The same for the last field not after `time_s` from the start of the drive.
+    /// Shows the last field not after `time_s` since the start of the drive.
     void show_at(double time_s);
     void step_by(int fields);
 
     // Playing
-    void set_playing(bool playing);  ///< from the start when the end is shown
+    void set_playing(bool playing);  ///< starts again at the end of the drive
     bool playing() const { return playing_; }
-    void set_speed(double speed) { speed_ = speed; }  ///< 1: as fast as the drive was
+    void set_speed(double speed) { speed_ = speed; }  ///< 1: the speed of the drive
     double speed() const { return speed_; }
-    void play_for(double elapsed_s);  ///< time has passed: shows what is due
+    void play_for(double elapsed_s);  ///< advances the playback and shows the field that is due
 
-    // Looking at a block
-    void hover(const std::optional<Eigen::Vector2d>& field_px);  ///< nothing: beside the field
+    // Block under the mouse
+    void hover(const std::optional<Eigen::Vector2d>& field_px);  ///< empty: beside the field
     std::optional<std::size_t> hovered_block() const { return hovered_; }
     std::optional<SadWindow> hovered_window() const;
 
@@ -69,10 +71,10 @@ class ViewModel {
     std::size_t last_index() const { return timeline_.rows.empty() ? 0 : timeline_.rows.size() - 1; }
     const Checkpoints& checkpoints() const { return checkpoints_; }
 
-    // A stretch for export; both ends are shown fields
+    // Stretch for export; both ends are shown fields
     void mark_begin() { begin_ = frame_.index; }
     void mark_end() { end_ = frame_.index; }
-    std::pair<std::size_t, std::size_t> stretch() const;  ///< the whole drive when nothing is marked
+    std::pair<std::size_t, std::size_t> stretch() const;  ///< the whole drive when no stretch is marked
     std::optional<std::pair<std::size_t, std::size_t>> marked_stretch() const;
 
   private:
@@ -92,16 +94,17 @@ class ViewModel {
     std::string name_;
     Timeline timeline_;
     io::InputCounts counts_;
-    Checkpoints checkpoints_;          ///< of the present parameters
-    Checkpoints earlier_checkpoints_;  ///< of other parameters: good for their places in the file
+    Checkpoints checkpoints_;          ///< computed with the present parameters
+    Checkpoints earlier_checkpoints_;  ///< of earlier parameters: used as places in the file only
     std::unique_ptr<BackgroundReader> background_reader_;
     Runner runner_;
-    std::optional<Pose2> T_start_preview_;  ///< where the runner's preview began; nothing: it is exact
+    /// Pose at which the runner's preview began; empty: the result is exact.
+    std::optional<Pose2> T_start_preview_;
     Frame frame_;
     bool playing_ = false;
     double speed_ = 1.0;
     double last_odometry_s_ = -HUGE_VAL, last_truth_s_ = -HUGE_VAL;
-    double play_s_ = 0.0;  ///< time that is due while playing
+    double play_s_ = 0.0;  ///< playback time not yet shown
     std::optional<Eigen::Vector2d> mouse_px_;
     std::optional<std::size_t> hovered_;
     std::optional<std::size_t> begin_, end_;

@@ -20,7 +20,7 @@ constexpr double left_share = 0.6;
 constexpr double strip_share = 0.24;
 constexpr int block_px_high = 330;
 
-/// Which file, which field, when.
+/// Text with file, field and time.
 std::string where_text(const ViewModel& model) {
     const Timeline& timeline = model.timeline();
     const Frame& frame = model.frame();
@@ -32,7 +32,7 @@ std::string where_text(const ViewModel& model) {
     return text + "    time stamp " + cli::time_text(frame.step.timestamp_s);
 }
 
-/// How far the background has come, or how the file ends.
+/// Text with the progress of the background, or the end of the file.
 std::string news_text(const ViewModel& model, const Look& look) {
     if (!look.note.empty()) return look.note;
     if (model.follows() && !model.timeline().complete) return "following";

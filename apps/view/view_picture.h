@@ -6,17 +6,17 @@
 
 namespace flownav::view {
 
-/// What one sees that is no part of the drive.
+/// Display settings, independent of the drive.
 struct Look {
     double ahead_m = 8.0;     ///< reach of the map
-    bool predictions = true;  ///< draw predicted vectors
-    std::string note;         ///< one line for the person: what was saved, what went wrong
+    bool predictions = true;  ///< draws predicted vectors
+    std::string note;         ///< one line for the user: saved file or error
 };
 
-/// With the map as far as points are reported.
+/// Returns a look whose map reaches as far as obstacle points do.
 Look look_for(const config::Config& config);
 
-/// Where the panels lie in a picture.
+/// Positions of the panels in a picture.
 struct ViewLayout {
     cv::Rect title, field, map, block, strip;
 };
@@ -30,14 +30,14 @@ ViewLayout layout_of(const cv::Size& size, bool wide = false);
 /// The layout for the model's field.
 ViewLayout layout_of(const ViewModel& model, const cv::Size& size);
 
-/// All panels in one picture (8-bit BGR, `size`): what the window shows and what a screenshot holds.
+/// Draws all panels in one picture (8-bit BGR, `size`), for the window and for screenshots.
 cv::Mat view_picture(const ViewModel& model, const Look& look, const cv::Size& size);
 
-/// The pixel of the shown field under a pixel of the picture; nothing beside it.
+/// Converts a pixel of the picture to a pixel of the shown field; empty beside it.
 std::optional<Eigen::Vector2d> field_px_under(const ViewModel& model, const cv::Size& size,
                                               const cv::Point& at);
 
-/// The pixel of the picture that shows a pixel of the field.
+/// Converts a pixel of the field to a pixel of the picture.
 cv::Point picture_px_of(const ViewModel& model, const cv::Size& size, const Eigen::Vector2d& field_px);
 
 }  // namespace flownav::view

@@ -13,7 +13,7 @@ namespace flownav::view {
 
 namespace {
 
-constexpr double news_every_s = 0.25;  // the chart grows in such steps while the background reads
+constexpr double news_every_s = 0.25;  // update period of the chart while the background reads
 constexpr double slowest = 1.0 / 16;
 constexpr double fastest = 16.0;
 constexpr double least_ahead_m = 1.0;
@@ -174,7 +174,7 @@ void ViewSession::continue_clip() {
     clip_.reset();
 }
 
-/// --at, as soon as the background has read so far.
+/// Shows the field of --at as soon as the background has read it.
 void ViewSession::go_where_asked() {
     const Timeline& timeline = model_.timeline();
     if (command_.at_s <= 0.0 || timeline.rows.empty()) return;

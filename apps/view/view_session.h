@@ -8,7 +8,7 @@
 
 namespace flownav::view {
 
-/// What keys and buttons ask for.
+/// Actions of keys and buttons.
 enum class Action {
     PlayOrPause,
     Back,
@@ -27,18 +27,18 @@ enum class Action {
     Quit,
 };
 
-/// One person at the viewer, without the window itself: what was asked for becomes calls of the model and
-/// pictures; time comes from outside.
+/// The user interface without its window: converts actions to calls of the model and to pictures. Time is
+/// passed in.
 class ViewSession {
   public:
     ViewSession(ViewModel& model, const ViewCommand& command, std::ostream& out);
 
-    /// Time has passed: plays, takes in what the background has found, writes a running clip. True when the
-    /// picture has to be drawn anew.
+    /// Advances by `elapsed_s`: plays, takes in the results of the background, writes a running clip. Returns
+    /// true when the picture must be redrawn.
     bool turn(double elapsed_s);
 
     void act(Action action);
-    void set_parameter(std::size_t slider, double share);  ///< 0..1 of the slider's way
+    void set_parameter(std::size_t slider, double share);  ///< `share`: 0..1 along the slider
     void mouse(const cv::Point& at, bool pressed);
     void mouse_left();
     void wheel(const cv::Point& at, double clicks);
@@ -51,7 +51,7 @@ class ViewSession {
     bool over() const { return over_; }
     bool saves_clip() const { return clip_ != nullptr; }
 
-    /// Files that S and M would write next, in the current folder.
+    /// Name of the file that S or M would write next, in the current folder.
     std::string next_file(const std::string& ending) const;
 
   private:

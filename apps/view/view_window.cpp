@@ -14,7 +14,7 @@ constexpr int margin_px = 6;
 constexpr int button_px = 28;
 constexpr int slider_px = 22;
 
-/// What a key asks for; nothing for other keys.
+/// Action of a key; empty for other keys.
 std::optional<Action> action_of(int key, int modifiers) {
     const bool ten = (modifiers & GLFW_MOD_SHIFT) != 0;
     switch (key) {
@@ -60,7 +60,7 @@ ViewWindow::ViewWindow(ViewSession& session)
     : CDisplayWindowGUI(session.model().name() + " - flownav-view",
                         static_cast<unsigned int>(session.size().width), height_of(session)),
       session_(session) {
-    picture_ = new PictureWidget(this);  // owned by its parent, as all widgets
+    picture_ = new PictureWidget(this);  // owned by its parent, like all widgets
     picture_->on_mouse = [this](const cv::Point& at, bool pressed) { session_.mouse(at, pressed); };
     picture_->on_leave = [this] { session_.mouse_left(); };
     picture_->on_wheel = [this](const cv::Point& at, double clicks) { session_.wheel(at, clicks); };
@@ -110,7 +110,7 @@ void ViewWindow::add_sliders() {
     update_controls();
 }
 
-/// Widgets that lie directly on the screen are placed by hand: the picture takes what the controls leave.
+/// Places the widgets by hand: the controls at the bottom, the picture above them.
 void ViewWindow::place() {
     const int picture_height = std::max(1, height() - controls_px);
     session_.resize({width(), picture_height});

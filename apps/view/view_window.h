@@ -9,19 +9,19 @@
 
 namespace flownav::view {
 
-/// The window: shows the session's picture, with buttons and sliders below it, and hands on what the person
-/// does. Needs a display.
+/// The window: shows the session's picture with buttons and sliders below it, and passes on the user's input.
+/// Needs a display.
 class ViewWindow : public mrpt::gui::CDisplayWindowGUI {
   public:
     explicit ViewWindow(ViewSession& session);
 
-    /// Lets `elapsed_s` pass, and prepares what drawAll() shows.
+    /// Advances the session by `elapsed_s` and prepares the picture for drawAll().
     void turn(double elapsed_s);
 
     /// Shows the window until it is closed.
     void run();
 
-    /// Of the controls below the picture.
+    /// Height of the controls below the picture.
     static constexpr int controls_px = 92;
 
     bool resizeEvent(const nanogui::Vector2i& size) override;

@@ -1,4 +1,4 @@
-// The same vectors by others, with their errors against known flow beside the time.
+// Compares flownav with other methods on the same blocks: time, and error against known flow.
 #include <benchmark/benchmark.h>
 
 #include <map>
@@ -52,7 +52,7 @@ bool in_window(const Vector2d& flow_px) {
     return flow_px.minCoeff() >= flow::search_min - 0.5 && flow_px.maxCoeff() <= flow::search_max + 0.5;
 }
 
-/// Blocks whose true flow is known and lies outside the search window.
+/// Percentage of the blocks with known flow whose flow lies outside the search window.
 double beyond_window_percent(const FlowCase& flow) {
     fidelity::Share beyond;
     for (const FlowPair& pair : flow.pairs)
@@ -82,7 +82,7 @@ void time_method(benchmark::State& state, const FlowCase& flow, const FlowMethod
     state.counters["beyond_window_percent"] = beyond_window_percent(flow);
 }
 
-/// The images of a sequence there and back, so that no jump is in it.
+/// The images of a sequence forward and backward, which avoids a jump.
 std::vector<const testing::GreyImage*> there_and_back(const FlowCase& flow) {
     std::vector<const testing::GreyImage*> images;
     for (const FlowPair& pair : flow.pairs) images.push_back(&pair.reference);
@@ -90,7 +90,7 @@ std::vector<const testing::GreyImage*> there_and_back(const FlowCase& flow) {
     return images;
 }
 
-/// FFmpeg looks at all blocks of an image, not at 350 of them, and both ways; `vectors` tells how many.
+/// FFmpeg measures all blocks of an image instead of 350, in both directions; `vectors` has their number.
 void time_mestimate(benchmark::State& state, const FlowCase& flow, const std::string& method) {
     const testing::GreyImage& first = flow.pairs.front().reference;
     Mestimate estimate(first.width_px, first.height_px, method);
@@ -111,7 +111,7 @@ void time_mestimate(benchmark::State& state, const FlowCase& flow, const std::st
     state.counters["vectors"] = static_cast<double>(vectors);
 }
 
-/// A case is made when it is asked for first.
+/// Creates a case at its first use.
 const FlowCase& flow_case(const std::string& name) {
     static std::map<std::string, FlowCase> cases;
     if (name == "rendered") return rendered_case();

@@ -1,4 +1,4 @@
-// How the time grows with the vectors, the image and the search window, on one thread and two.
+// Time as a function of vectors, image size and search window, on one thread and two.
 #include <benchmark/benchmark.h>
 
 #include <map>
@@ -19,7 +19,7 @@ constexpr Size pal{768, 288};
 
 constexpr int drive_fields = 20;
 
-/// The same drive in pixels of another size, with as much to see in them: every size is rendered anew.
+/// The same drive at another image size with the same amount of texture; every size is rendered separately.
 std::vector<Field> rendered(const Size& size) {
     testing::SceneOptions options = testing::common_preset(1);
     options.camera = testing::field_camera(testing::standard_camera(size.width_px, 2 * size.height_px),
@@ -58,8 +58,8 @@ void time_match(benchmark::State& state, Size size, int blocks, int threads) {
     state.counters["vectors"] = static_cast<double>(layout.size());
 }
 
-/// A window wider than the kernel's: tiles of 16x16 offsets side by side, the smallest minimum of all. Tiles
-/// that would leave the image are clipped or left out, as match_blocks() does.
+/// Best match over a window wider than the kernel's: adjacent tiles of 16x16 offsets. Tiles that would leave
+/// the image are clipped or left out, as in match_blocks().
 flow::BlockMatch best_of_tiles(const flow::KernelEntry& kernel, const ImageView& from, const ImageView& to,
                                const Eigen::Vector2i& corner, int tiles) {
     flow::BlockMatch best;

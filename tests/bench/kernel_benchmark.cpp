@@ -1,4 +1,4 @@
-// Every kernel of the table, beside what its instruction could do at most.
+// Measures every kernel of the table, beside the limit of its instruction.
 #include <benchmark/benchmark.h>
 
 #include "benchmarks.h"
@@ -9,7 +9,7 @@
 namespace flownav::bench {
 namespace {
 
-/// Blocks whose whole windows lie inside the image, as many as the layout has: the first ones come twice.
+/// Blocks whose whole windows lie inside the image, as many as in the layout: the first ones are repeated.
 std::vector<Eigen::Vector2i> whole_blocks(const FlowPair& pair) {
     std::vector<Eigen::Vector2i> blocks;
     for (const Eigen::Vector2i& at : pair.layout.corner_px) {
@@ -23,7 +23,7 @@ std::vector<Eigen::Vector2i> whole_blocks(const FlowPair& pair) {
     return blocks;
 }
 
-/// The kernel alone, over the blocks of a field.
+/// Times the kernel alone, over the blocks of a field.
 void time_kernel(benchmark::State& state, const flow::KernelEntry& kernel) {
     const FlowPair& pair = rendered_case().pairs.front();
     const auto blocks = whole_blocks(pair);

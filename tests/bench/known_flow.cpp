@@ -9,6 +9,7 @@
 
 #include "flownav/core/camera_model.h"
 #include "flownav/flow/kernel.h"
+#include "flownav/math/units.h"
 #include "flownav/testing/camera.h"
 #include "flownav/testing/presets.h"
 #include "flownav/testing/scene.h"
@@ -21,11 +22,11 @@ using Eigen::Vector2d;
 namespace fs = std::filesystem;
 
 constexpr int rendered_images = 9;
-constexpr int first_image = 30;                    // the drive has found its pace
-constexpr double turn_radps = 8.0 * M_PI / 180.0;  // at the most: 0.3 degrees, 4 pixels, an image
+constexpr int first_image = 30;                  // the drive has reached its speed
+constexpr double turn_radps = 8.0 * degree_rad;  // maximum: 0.3 degrees, 4 pixels per image
 constexpr double speed_mps = 0.4;
 
-/// Fields of the same parity only, so that the truth has no half lines.
+/// Fields of one parity, so that the true flow has no half lines.
 testing::Scene scene_of_fields() {
     testing::SceneOptions options = testing::common_preset(1);
     options.camera = testing::field_camera(testing::standard_camera(768, 576), testing::Parity::Top);
@@ -43,8 +44,8 @@ FlowCase render() {
         images.push_back(testing::render_image(*scene, first_image + i));
     FlowCase rendered{"rendered", {}, true};
     for (int i = 0; i + 1 < rendered_images; ++i) {
-        const testing::View from = testing::true_view(*scene, first_image + i);
-        const testing::View to = testing::true_view(*scene, first_image + i + 1);
+        const sim::View from = testing::true_view(*scene, first_image + i);
+        const sim::View to = testing::true_view(*scene, first_image + i + 1);
         const TrueFlow truth = [scene, from, to](const Vector2d& at_px) -> std::optional<Vector2d> {
             const auto flow = testing::exact_flow(scene->world, from, to, at_px);
             if (!flow || !flow->inside || flow->occluded) return std::nullopt;
@@ -68,7 +69,7 @@ testing::GreyImage read_image(const fs::path& file) {
     return image;
 }
 
-/// u and v of every pixel, little endian; over 1e9: not known.
+/// Reads u and v of every pixel, little endian; values over 1e9 are unknown.
 cv::Mat2f read_flow(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::int32_t size[3] = {};                            // magic number, width, height
@@ -82,7 +83,7 @@ cv::Mat2f read_flow(const fs::path& file) {
     return flow;
 }
 
-/// The mean of the pixels around a place half-way between them.
+/// Mean flow of the four pixels around a place half-way between them.
 TrueFlow truth_of(const cv::Mat2f& flow) {
     return [flow](const Vector2d& at_px) -> std::optional<Vector2d> {
         constexpr double known_max_px = 1e9;
@@ -100,7 +101,7 @@ TrueFlow truth_of(const cv::Mat2f& flow) {
     };
 }
 
-/// 350 blocks, evenly over the image but for the margin that the search window takes.
+/// 350 blocks, evenly spaced over the image without the margin of the search window.
 flow::BlockLayout grid_layout(int width_px, int height_px) {
     constexpr int columns = 25;
     constexpr int rows = 14;

@@ -11,8 +11,8 @@
 
 namespace flownav::bench {
 
-/// The exact displacement of what a place of the reference shows; nothing where that is not known, or not to
-/// be seen in the newer image.
+/// Exact displacement of a place of the reference; empty when it is unknown, or not visible in the newer
+/// image.
 using TrueFlow = std::function<std::optional<Eigen::Vector2d>(const Eigen::Vector2d& at_px)>;
 
 /// Two images of the same size between which the flow is known.
@@ -31,12 +31,11 @@ struct FlowCase {
 };
 
 /// Consecutive fields (768x288) of a robot that drives and turns on carpet past rails, chairs, poles and
-/// boxes, with camera noise; 350 blocks where the sensor has them. Nearly all flow is within the search
-/// window.
+/// boxes, with camera noise; 350 blocks at the sensor's places. Nearly all flow is within the search window.
 const FlowCase& rendered_case();
 
-/// The Middlebury pairs below a folder of the test data, 350 blocks on a regular grid; empty without them.
-/// Throws std::runtime_error naming a damaged file.
+/// Names of the Middlebury pairs in the test data, 350 blocks on a regular grid each; empty when they are
+/// missing. Throws std::runtime_error naming a damaged file.
 std::vector<std::string> middlebury_names();
 FlowCase middlebury_case(const std::string& name);
 

@@ -9,7 +9,7 @@ namespace {
 
 using mrpt::maps::COccupancyGridMap2D;
 
-/// A map of 10 m x 10 m with posts everywhere but around the robot.
+/// A map of 10 m x 10 m with posts everywhere except around the robot.
 COccupancyGridMap2D posts(double cell_m) {
     COccupancyGridMap2D map(-5.0F, 5.0F, -5.0F, 5.0F, static_cast<float>(cell_m));
     map.fill(0.8F);
@@ -19,7 +19,7 @@ COccupancyGridMap2D posts(double cell_m) {
     return map;
 }
 
-/// The cell size in centimetres.
+/// Cell size in metres; the argument is in centimetres.
 double cell_m(const benchmark::State& state) {
     return static_cast<double>(state.range(0)) / 100.0;
 }
@@ -41,11 +41,10 @@ void choose_lane(benchmark::State& state) {
 }
 BENCHMARK(choose_lane)->Arg(5)->Arg(10)->Unit(benchmark::kMicrosecond);
 
-void decide(benchmark::State& state, NavigatorKind kind) {
+void decide(benchmark::State& state, const char* name) {
     NavigatorOptions options;
-    options.kind = kind;
     options.resolution_m = cell_m(state);
-    const auto navigator = make_navigator(options);
+    const auto navigator = make_navigator(name, options);
     const COccupancyGridMap2D map = posts(options.resolution_m);
     double time_s = 0.0;
     for (auto _ : state) {
@@ -53,8 +52,8 @@ void decide(benchmark::State& state, NavigatorKind kind) {
         benchmark::DoNotOptimize(navigator->decide({time_s, {}, {0.4, 0.0}, &map, true}, {3.0, 0.5}));
     }
 }
-BENCHMARK_CAPTURE(decide, lanes, NavigatorKind::Lanes)->Arg(5)->Arg(10)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(decide, reactive, NavigatorKind::Reactive)->Arg(5)->Arg(10)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(decide, lanes, "lanes")->Arg(5)->Arg(10)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(decide, reactive, "reactive")->Arg(5)->Arg(10)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace flownav::nav

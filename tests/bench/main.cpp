@@ -1,4 +1,4 @@
-// Speed and where the time goes. Run: build/release/tests/bench/flownav-bench
+// Measures speed and the time of each stage. Run: build/release/tests/bench/flownav-bench
 #include <benchmark/benchmark.h>
 
 #include <exception>

@@ -82,7 +82,7 @@ std::size_t Mestimate::push(const ImageView& image) {
     const Frame in = frame_of(image, impl_->pushed++);
     check(av_buffersrc_add_frame(impl_->source, in.get()) >= 0, "take a frame");
     const Frame out(av_frame_alloc());
-    if (av_buffersink_get_frame(impl_->sink, out.get()) < 0) return 0;  // it wants more images first
+    if (av_buffersink_get_frame(impl_->sink, out.get()) < 0) return 0;  // the filter needs more images
     const AVFrameSideData* side = av_frame_get_side_data(out.get(), AV_FRAME_DATA_MOTION_VECTORS);
     check(side != nullptr, "give motion vectors");
     const std::size_t count = side->size / sizeof(AVMotionVector);
@@ -90,7 +90,7 @@ std::size_t Mestimate::push(const ImageView& image) {
         AVMotionVector v;
         std::memcpy(&v, side->data + i * sizeof v, sizeof v);
         if (v.source < 0) continue;
-        const Eigen::Vector2d at(v.dst_x - 0.5, v.dst_y - 0.5);  // FFmpeg's centre is the pixel behind it
+        const Eigen::Vector2d at(v.dst_x - 0.5, v.dst_y - 0.5);  // FFmpeg's centre is the pixel after it
         vectors_.push_back({at, Eigen::Vector2d(v.src_x - v.dst_x, v.src_y - v.dst_y)});
     }
     return count;

@@ -8,26 +8,26 @@
 
 namespace flownav::bench {
 
-/// A vector of FFmpeg's motion estimation, from the last image but one to the last.
+/// A vector of FFmpeg's motion estimation between the last two images.
 struct MestimateVector {
-    Eigen::Vector2d at_px;  ///< centre of the 16x16 block, pixel centres being integers
+    Eigen::Vector2d at_px;  ///< centre of the 16x16 block; pixel centres are integers
     Eigen::Vector2d flow_px;
 };
 
-/// FFmpeg's filter `mestimate` in this process: 16x16 blocks side by side, offsets up to +-8 px.
+/// FFmpeg's filter `mestimate` in this process: adjacent 16x16 blocks, offsets up to +-8 px.
 class Mestimate {
   public:
-    /// method: "esa", "epzs", ... Throws std::runtime_error when FFmpeg refuses.
+    /// `method`: "esa", "epzs", ... Throws std::runtime_error when FFmpeg rejects it.
     Mestimate(int width_px, int height_px, const std::string& method);
     ~Mestimate();
     Mestimate(const Mestimate&) = delete;
     Mestimate& operator=(const Mestimate&) = delete;
 
-    /// Takes the next image in. The filter measures both ways, toward the image before and the image behind.
-    /// Returns how many vectors that gave.
+    /// Adds the next image. The filter measures in both directions, to the previous and to the next image.
+    /// Returns the number of vectors.
     std::size_t push(const ImageView& image);
 
-    /// Of the last push(), those toward the image behind.
+    /// Vectors of the last push() toward the previous image.
     const std::vector<MestimateVector>& vectors() const { return vectors_; }
 
   private:

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// OpenCV knows no read-only images; nothing writes to this one.
+/// OpenCV has no read-only images; the methods do not write to this one.
 cv::Mat mat_of(const testing::GreyImage& image) {
     return {image.height_px, image.width_px, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data())};
 }
@@ -29,7 +29,7 @@ void take(const std::vector<FlowVector>& vectors, MeasuredFlow& measured) {
     }
 }
 
-/// Matching alone, without compensation of the brightness.
+/// Matching alone, without brightness compensation.
 MeasureFlow blocks(const flow::KernelEntry& kernel, flow::Subpixel subpixel) {
     flow::MatchSettings settings;
     settings.kernel = &kernel;
@@ -42,7 +42,7 @@ MeasureFlow blocks(const flow::KernelEntry& kernel, flow::Subpixel subpixel) {
     };
 }
 
-/// All that the sensor does to get its vectors.
+/// The sensor's measurement with default settings.
 MeasureFlow sensor_default() {
     return [matcher = flow::BlockMatcher(flow::FlowParams(), 1), predicted_px = std::vector<Vector2d>(),
             vectors = std::vector<FlowVector>()](const FlowPair& pair, MeasuredFlow& measured) mutable {
@@ -59,7 +59,7 @@ std::vector<cv::Point2f> points_of(const flow::BlockLayout& layout) {
     return points;
 }
 
-/// As OpenCV's documentation has it: three levels above the image, 30 iterations or 0.01 px.
+/// Defaults of OpenCV: three levels above the image, 30 iterations or 0.01 px.
 MeasureFlow pyr_lk(int window_px) {
     return [window_px, to = std::vector<cv::Point2f>(), found = std::vector<std::uint8_t>(),
             residual = std::vector<float>()](const FlowPair& pair, MeasuredFlow& measured) mutable {
@@ -73,7 +73,7 @@ MeasureFlow pyr_lk(int window_px) {
     };
 }
 
-/// The same without the pyramid of the reference, which a tracker has from the image before.
+/// pyr_lk() without the time for the reference's pyramid, which a tracker keeps from the previous image.
 MeasureFlow pyr_lk_with_pyramid(int window_px) {
     struct Ready {
         const FlowPair* pair = nullptr;
@@ -85,7 +85,7 @@ MeasureFlow pyr_lk_with_pyramid(int window_px) {
         const Ready* known = nullptr;
         for (const Ready& one : ready)
             if (one.pair == &pair) known = &one;
-        if (known == nullptr) {  // the first time, which is not timed
+        if (known == nullptr) {  // first call, which is not timed
             ready.push_back({&pair, {}});
             cv::buildOpticalFlowPyramid(mat_of(pair.reference), ready.back().pyramid, window, levels);
             known = &ready.back();
@@ -102,11 +102,11 @@ MeasureFlow pyr_lk_with_pyramid(int window_px) {
     };
 }
 
-/// A dense method, read at the centres: half-way between four pixels.
+/// Dense flow, averaged at each centre over its four pixels.
 MeasureFlow dis() {
     return [method = cv::DISOpticalFlow::create(cv::DISOpticalFlow::PRESET_ULTRAFAST), flow = cv::Mat2f()](
                const FlowPair& pair, MeasuredFlow& measured) mutable {
-        flow.release();  // else it would start from the last result
+        flow.release();  // otherwise it would start from the last result
         method->calc(mat_of(pair.reference), mat_of(pair.newer), flow);
         measured.flow_px.clear();
         for (const Eigen::Vector2i& corner : pair.layout.corner_px) {

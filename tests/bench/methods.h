@@ -7,13 +7,13 @@
 
 namespace flownav::bench {
 
-/// What a method says about the blocks of a pair, in their order.
+/// Flow measured at the blocks of a pair, in their order.
 struct MeasuredFlow {
     std::vector<Eigen::Vector2d> flow_px;
-    std::vector<char> kept;  ///< 1: the method itself trusts it
+    std::vector<char> kept;  ///< 1: accepted by the method
 };
 
-/// Measures the flow at the centres of the blocks of a pair. Every method starts from no motion.
+/// Measures the flow at the centres of the blocks of a pair. Every method starts from zero motion.
 using MeasureFlow = std::function<void(const FlowPair& pair, MeasuredFlow& measured)>;
 
 struct FlowMethod {
@@ -21,8 +21,8 @@ struct FlowMethod {
     std::function<MeasureFlow()> make;
 };
 
-/// flownav: every kernel with whole pixels, the kernel in use with sub-pixel, and the sensor's default.
-/// OpenCV: PyrLK, DIS, matchTemplate.
+/// All methods. flownav: every kernel with whole pixels, the default kernel with sub-pixel, and the sensor's
+/// default. OpenCV: PyrLK, DIS, matchTemplate.
 std::vector<FlowMethod> all_methods();
 
 }  // namespace flownav::bench

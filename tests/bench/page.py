@@ -17,7 +17,7 @@ ERRORS = {"mean_px": 3, "median_px": 3, "over_1_percent": 1, "over_3_percent": 1
 
 
 class Runs:
-    """The benchmarks by their names."""
+    """The benchmarks by name."""
 
     def __init__(self, path):
         data = json.loads(Path(path).read_text())
@@ -26,7 +26,7 @@ class Runs:
                         if not run.get("error_occurred")}
 
     def matching(self, pattern):
-        """(groups, run) of every benchmark with such a name."""
+        """Returns (groups, run) of every benchmark whose name matches."""
         found = ((re.fullmatch(pattern, name), run) for name, run in self.by_name.items())
         return [(match.groups(), run) for match, run in found if match]
 
@@ -39,7 +39,7 @@ def milliseconds(run):
 
 
 def per(run, counter):
-    """Milliseconds for one of what a run counts."""
+    """Returns the milliseconds per counted item of a run."""
     return milliseconds(run) / run[counter]
 
 
@@ -183,7 +183,7 @@ the run is played again and again; where it begins anew the view jumps, and a se
 
 
 def targets(runs, peaks, latencies):
-    """What was aimed at, beside what this run measured; rows whose benchmarks did not run are left out."""
+    """Returns the targets beside the measured values; rows whose benchmarks did not run are left out."""
     rows = []
 
     def row(what, target, value, unit, met):

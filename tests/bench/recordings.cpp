@@ -1,5 +1,5 @@
-// Writes the same recording in several ways of storing it, and a long drive: what replay is measured
-// with. Usage: flownav-bench-recordings FOLDER [ROUNDS]; the long drive is the sample so many times over.
+// Writes the recordings of the replay benchmark: the sample in several storage formats, and a long drive of
+// ROUNDS times the sample. Usage: flownav-bench-recordings FOLDER [ROUNDS].
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/io/CFileOutputStream.h>
 #include <mrpt/obs/CObservationImage.h>
@@ -47,7 +47,7 @@ void write_plain(const Observations& all, const fs::path& file) {
     write_all(all, stream);
 }
 
-/// The pictures in files of their own, below NAME_Images where MRPT looks for them.
+/// Stores the images as separate files below NAME_Images, where MRPT looks for them.
 Observations with_files(const Observations& all, const fs::path& rawlog, const std::string& extension) {
     const fs::path folder = rawlog.parent_path() / (rawlog.stem().string() + "_Images");
     fs::create_directories(folder);
@@ -64,7 +64,7 @@ Observations with_files(const Observations& all, const fs::path& rawlog, const s
     return result;
 }
 
-/// The same drive over and over, with a pause of a second in between.
+/// Repeats the drive `rounds` times, with a pause of a second in between.
 void write_long(Observations all, const fs::path& file, int rounds) {
     mrpt::io::CFileOutputStream stream(file.string());
     const auto round = all.back()->timestamp - all.front()->timestamp + std::chrono::seconds(1);

@@ -1,10 +1,11 @@
-// Replay of rawlogs: reading and unpacking alone, and the whole with all its outputs.
+// Measures the replay of rawlogs: reading and decoding alone, and the whole replay with all outputs.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <cstdlib>
 
 #include "benchmarks.h"
+#include "flownav/cli/exit_status.h"
 #include "flownav/io/field_source.h"
 #include "flownav/replay/replay.h"
 #include "sample.h"
@@ -14,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Those of $FLOWNAV_BENCH_RECORDINGS, which flownav-bench-recordings makes, or the sample.
+/// The recordings of $FLOWNAV_BENCH_RECORDINGS, written by flownav-bench-recordings, or the sample.
 std::vector<fs::path> recordings() {
     const char* folder = std::getenv("FLOWNAV_BENCH_RECORDINGS");
     if (folder == nullptr) return {sample_rawlog()};
@@ -26,7 +27,7 @@ std::vector<fs::path> recordings() {
     return found;
 }
 
-/// Of the rawlog and the images beside it.
+/// Size of the rawlog and its external images.
 double size_mb(const fs::path& rawlog) {
     double bytes = static_cast<double>(fs::file_size(rawlog));
     const fs::path images = rawlog.parent_path() / (rawlog.stem().string() + "_Images");
@@ -36,7 +37,7 @@ double size_mb(const fs::path& rawlog) {
     return bytes / 1e6;
 }
 
-/// Holds one field at a time.
+/// Decodes the rawlog with one field in memory at a time.
 void time_decode(benchmark::State& state, const fs::path& rawlog) {
     std::size_t fields = 0;
     while (state.KeepRunning()) {
@@ -56,7 +57,7 @@ void time_replay(benchmark::State& state, const fs::path& rawlog, int threads) {
     options.config.pipeline.threads = threads;
     while (state.KeepRunning()) {
         const replay::ReplayResult result = replay::replay(options);
-        if (result.status != replay::ExitStatus::Fine) state.SkipWithError(result.message.c_str());
+        if (result.status != cli::ExitStatus::Fine) state.SkipWithError(result.message.c_str());
     }
     fs::remove_all(options.output);
     state.counters["fields"] = static_cast<double>(read_fields(rawlog).size());

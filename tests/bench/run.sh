@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Measures speed and memory, and writes share/doc/benchmark.md. Builds nothing: cmake --build --preset release first.
+# Measures speed and memory, and writes share/doc/benchmark.md. Needs a build: cmake --build --preset release.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 

@@ -6,14 +6,14 @@
 
 namespace flownav::bench {
 
-/// $FLOWNAV_DATA, or shared/data beside the project; need not exist.
+/// Returns $FLOWNAV_DATA, or shared/data beside the project; the folder may be missing.
 std::filesystem::path data_folder();
 
-/// The rawlog that is measured: scenes/field.rawlog of the test data (768x288) when it is there, else the
+/// Returns the rawlog to measure: scenes/field.rawlog of the test data (768x288) if it exists, else the
 /// project's own corridor (320x240).
 std::filesystem::path sample_rawlog();
 
-/// All of its fields, decoded.
+/// Reads and decodes all fields.
 std::vector<Field> read_fields(const std::filesystem::path& rawlog);
 
 /// The fields of sample_rawlog(), read once.

@@ -9,7 +9,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double pause_s = 10.0;
-constexpr std::size_t searched_fields = 10;  // at the beginning of a drive
+constexpr std::size_t searched_fields = 10;  // first fields of a drive, in which the motion is searched for
 
 pipeline::Params with_threads(int threads) {
     pipeline::Params params;

@@ -8,26 +8,26 @@
 
 namespace flownav::bench {
 
-/// The chain over the same drive again and again. Every drive begins so long after the last that it is a new
-/// one, with all memory in place. Each field is first written to one of a few buffers, as by a camera or a
-/// decoder, which is not timed.
+/// Runs the chain repeatedly over the same drive, with all memory allocated. A long gap in the time stamps
+/// makes every run a new drive. Each field is first written to one of a few buffers, as by a camera or a
+/// decoder; this is not timed.
 class SteadyChain {
   public:
     SteadyChain(const std::vector<Field>& fields, const flow::KernelEntry& kernel, int threads);
     SteadyChain(const SteadyChain&) = delete;
     SteadyChain& operator=(const SteadyChain&) = delete;
 
-    /// Seconds for timed_fields() fields, with what `see` does: without the first ones, in which the motion
-    /// is still searched for.
+    /// Runs one drive and returns the seconds for timed_fields() fields, including `see`. The first fields,
+    /// in which the motion is searched for, are not timed.
     double drive(const std::function<void(const pipeline::Step&)>& see);
     std::size_t timed_fields() const;
 
-    /// How many of the timed fields were understood, since the chain was made.
+    /// Share of the timed fields with status ok, over all drives.
     double ok_share() const {
         return driven_ > 0 ? static_cast<double>(ok_) / static_cast<double>(driven_) : 0.0;
     }
 
-    /// Mean of the timed fields: spent in the matcher, brightness and sub-pixel included.
+    /// Mean time per timed field in the matcher, including brightness and sub-pixel.
     double match_s() const { return driven_ > 0 ? match_s_ / static_cast<double>(driven_) : 0.0; }
 
   private:
@@ -38,7 +38,7 @@ class SteadyChain {
 
     std::vector<Field> fields_;
     std::vector<std::shared_ptr<Buffer>> buffers_;
-    double later_s_ = 0.0;  ///< of the running drive than the first
+    double later_s_ = 0.0;  ///< offset of the time stamps of the running drive
     bool counts_ = false;
     double match_s_ = 0.0;
     std::size_t driven_ = 0, ok_ = 0;

@@ -1,4 +1,4 @@
-// One whole step, by stage, in the steady state: the layout stands, and nothing has to grow.
+// Times one whole step and its stages in the steady state, with the layout made and all memory allocated.
 #include <benchmark/benchmark.h>
 
 #include <chrono>
@@ -27,7 +27,7 @@ void time_steps(benchmark::State& state, const flow::KernelEntry& kernel, bool w
     state.counters["match_us"] = 1e6 * chain.match_s();
 }
 
-/// Compensation of the brightness, which is part of matching.
+/// Times the brightness compensation, which is part of matching.
 void time_brightness(benchmark::State& state) {
     const auto& fields = sample_fields();
     const flow::BlockLayout layout = flow::place_blocks(RayMapper(fields[0].camera), flow::FlowParams());
@@ -41,7 +41,7 @@ void time_brightness(benchmark::State& state) {
     state.counters["fields"] = static_cast<double>(fields.size() - 2);
 }
 
-/// What the ego-motion of one field is estimated from.
+/// Input of the ego-motion of one field.
 struct MotionCase {
     std::vector<motion::MotionSample> samples;
     CameraModel camera;

@@ -5,8 +5,8 @@ namespace flownav::bench {
 #if defined(__x86_64__)
 namespace {
 
-// Twelve destinations: more than latency times throughput on any processor so far. Written as text, the
-// compiler can neither leave anything out nor needs to be told the instruction set.
+// Twelve destination registers: more than latency times throughput on current processors. As inline assembly,
+// the instructions are not optimised away and need no compiler flags.
 #define FLOWNAV_TWELVE(before, after)                                                                        \
     before "0" after "\n" before "1" after "\n" before "2" after "\n" before "3" after "\n" before "4" after \
            "\n" before "5" after "\n" before "6" after "\n" before "7" after "\n" before "8" after           \
@@ -40,7 +40,7 @@ void vdbpsadbw(std::int64_t iterations) {
 
 const std::vector<Throughput>& throughput_table() {
     constexpr int differences = 16 * 16 * 256;
-    // An instruction sums 16 (psadbw), 8 x 4, 16 x 4 or 32 x 4 differences.
+    // Differences per instruction: 16 (psadbw), 8 x 4, 16 x 4 or 32 x 4.
     static const std::vector<Throughput> table = {
         {"vdbpsadbw zmm", "avx512bw", differences / 128,
          [] { return __builtin_cpu_supports("avx512bw") != 0; }, vdbpsadbw},

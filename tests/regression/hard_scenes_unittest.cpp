@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drives.h"
+#include "flownav/math/units.h"
 #include "flownav/testing/presets.h"
 
 namespace flownav {
@@ -13,7 +14,6 @@ namespace {
 using Eigen::Vector2d;
 using pipeline::Step;
 using testing::Scene;
-using testing::to_deg;
 
 constexpr int settling = 6;  // images until the chain is under way
 
@@ -42,7 +42,7 @@ struct Stretch {
         const Step& step = steps[static_cast<std::size_t>(i)];
         EXPECT_EQ(step.status, FieldStatus::Ok) << "image " << i;
         const double rate_hz = scene.options.rate_hz;
-        errors_degps.push_back(to_deg(step.omega_radps - truth(i).omega_rad * rate_hz));
+        errors_degps.push_back(deg(step.omega_radps - truth(i).omega_rad * rate_hz));
         if (step.v_measured) v_percent.push_back(100.0 * (step.v_mps / scene.options.speed_mps - 1.0));
     }
     double omega_rms_degps() const {
@@ -68,12 +68,13 @@ struct Stretch {
         int near = 0;
         for (std::size_t i = 0; i < steps.size(); ++i) {
             const int image = first + static_cast<int>(i);
-            const testing::World world = at_time(scene.world, scene.time_s(image));
+            const sim::World world = testing::at_time(scene.world, scene.time_s(image));
             for (const ObstaclePoint& point : steps[i].obstacles) {
                 const Vector2d p = point.position_m.head<2>();
                 const Vector2d at = transform(scene.poses[static_cast<std::size_t>(image)], p);
                 double nearest = 1e9;
-                for (const auto& thing : world.primitives) nearest = std::min(nearest, distance_m(thing, at));
+                for (const auto& solid : world.solids)
+                    nearest = std::min(nearest, testing::distance_m(solid, at));
                 ++all;
                 near += nearest < 0.15 + 0.06 * p.norm();
             }

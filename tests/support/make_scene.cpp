@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "flownav/math/units.h"
 #include "flownav/testing/presets.h"
 #include "flownav/testing/write_scene.h"
 
@@ -102,7 +103,7 @@ SceneOptions scene_options(Arguments& arguments) {
     scene.images = arguments.images.getValue();
     scene.rate_hz = arguments.rate.getValue();
     scene.speed_mps = arguments.speed.getValue();
-    scene.turn_radps = arguments.turn.getValue() * M_PI / 180.0;
+    scene.turn_radps = arguments.turn.getValue() * flownav::degree_rad;
     scene.effects.exposure_s = arguments.blur.getValue();
     scene.floor = floor_surface(arguments.floor.getValue()).value();
     scene.camera = standard_camera(arguments.width.getValue(), arguments.height.getValue());
@@ -112,7 +113,7 @@ SceneOptions scene_options(Arguments& arguments) {
     scene.effects.gain_sigma = arguments.exposure.getValue();
     scene.effects.exposure_step = arguments.exposure_step.getValue();
     scene.effects.flicker = arguments.flicker.getValue();
-    scene.effects.pitch_vibration_rad = arguments.vibration.getValue() * M_PI / 180.0;
+    scene.effects.pitch_vibration_rad = arguments.vibration.getValue() * flownav::degree_rad;
     return scene;
 }
 

@@ -51,7 +51,7 @@ void compare(const CObservationPointCloud& a, const CObservationPointCloud& b, D
     }
 }
 
-/// True when both are of this class.
+/// True when both objects are of this class.
 template <class Class>
 bool compare_as(const CObservation& a, const CObservation& b, Differences& most) {
     const auto* const left = dynamic_cast<const Class*>(&a);

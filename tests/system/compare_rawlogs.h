@@ -12,7 +12,7 @@ namespace flownav::testing {
 
 using ByLabel = std::map<std::string, std::vector<mrpt::obs::CObservation::Ptr>>;
 
-/// The observations of a rawlog in their order; a test failure when it does not end clean.
+/// Reads the observations of a rawlog by label, in their order; fails the test unless the rawlog ends clean.
 ByLabel observations_of(const std::filesystem::path& rawlog);
 
 std::map<std::string, std::size_t> counts(const ByLabel& observations);
@@ -21,10 +21,11 @@ std::map<std::string, std::size_t> counts(const ByLabel& observations);
 struct Differences {
     double time_s = 0.0, omega_radps = 0.0, v_mps = 0.0, position_m = 0.0, heading_rad = 0.0;
     double range_m = 0.0, point_m = 0.0;
-    int validity = 0, beams = 0, points = 0;  ///< that do not agree
+    int validity = 0, beams = 0, points = 0;  ///< counts of mismatches
 };
 
-/// Observation by observation, those labelled as in `expected`; a test failure when the numbers differ.
+/// Compares the observations with the labels of `expected` one by one; fails the test when their numbers
+/// differ.
 Differences compared(const ByLabel& found, const ByLabel& expected);
 
 std::ostream& operator<<(std::ostream& out, const Differences& d);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "flownav/io/field_source.h"
+#include "flownav/math/units.h"
 
 namespace flownav::testing {
 namespace {
@@ -39,17 +40,17 @@ cv::Mat woven(const Field& top, const Field& bottom) {
     return frame;
 }
 
-/// Of images that are `lines` times as high as the fields.
+/// Ini of a camera whose images are `lines` times as high as the fields.
 std::string camera_ini(const CameraModel& camera, int lines) {
-    const double deg = M_PI / 180;
     const CameraMount& mount = camera.mount;
     std::ostringstream ini;
     ini << std::setprecision(17) << "[camera]\ninterlaced = " << (lines == 2 ? "top_first" : "none")
         << "\nfx_px = " << camera.fx_px << "\nfy_px = " << lines * camera.fy_px
         << "\ncx_px = " << camera.cx_px << "\ncy_px = " << lines * camera.cy_px
         << "\nheight_m = " << mount.height_m << "\nforward_m = " << mount.forward_m
-        << "\nleft_m = " << mount.left_m << "\npitch_deg = " << mount.pitch_rad / deg
-        << "\nroll_deg = " << mount.roll_rad / deg << "\nyaw_deg = " << mount.yaw_rad / deg << '\n';
+        << "\nleft_m = " << mount.left_m << "\npitch_deg = " << mount.pitch_rad / degree_rad
+        << "\nroll_deg = " << mount.roll_rad / degree_rad << "\nyaw_deg = " << mount.yaw_rad / degree_rad
+        << '\n';
     return ini.str();
 }
 

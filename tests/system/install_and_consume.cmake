@@ -17,6 +17,15 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${consumer_build} 
     -DCMAKE_BUILD_TYPE=Debug -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_FLAGS=${CXX_FLAGS})
 run(${CMAKE_COMMAND} --build ${consumer_build})
 
+# The examples are built as a foreign project does it.
+run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/share/examples -B ${WORK_DIR}/examples -G Ninja
+    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_FLAGS=${CXX_FLAGS})
+run(${CMAKE_COMMAND} --build ${WORK_DIR}/examples)
+run(${WORK_DIR}/examples/sense ${SOURCE_DIR}/share/datasets/corridor.rawlog)
+if(NOT output MATCHES "^[0-9.]+ [-0-9.]+ [-0-9.]+ [-0-9.]+\n")
+    message(FATAL_ERROR "sense said:\n${output}")
+endif()
+
 run(${consumer_build}/use_pipeline)
 if(NOT output MATCHES "0.16 s: [a-z_]+\nflownav ${VERSION}\n$")
     message(FATAL_ERROR "use_pipeline said:\n${output}")
@@ -35,7 +44,7 @@ if(NOT plugin)
     message(FATAL_ERROR "libflownav-sensor.so is not installed")
 endif()
 
-# What is installed must not point back into the trees it came from.
+# Installed files must not refer to the source and build trees.
 file(GLOB_RECURSE texts ${prefix}/*.cmake ${prefix}/*.h ${prefix}/*.ini)
 foreach(text IN LISTS texts)
     file(READ ${text} content)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the packages of share/slurm/apt-packages.txt and starts none of their services.
-# Exit status 77: they cannot be had here.
+# Installs the packages of share/slurm/apt-packages.txt without starting their services. Exit status 77: the
+# packages are not available.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 policy=/usr/sbin/policy-rc.d # what Debian asks before it starts a service; 101 is no

@@ -17,7 +17,7 @@ void redirect(const char* path, int flags, int descriptor) {
     dup2(file, descriptor);
 }
 
-/// Whoever reads from the pipe meets its end only when this is gone.
+/// A pipe without data; its reading end reaches the end of file when this object is destroyed.
 class Pipe {
   public:
     Pipe() {
@@ -44,7 +44,7 @@ class Pipe {
         redirect("/dev/null", O_RDONLY, STDIN_FILENO);
     }
     constexpr unsigned patience_s = 300;
-    alarm(patience_s);  // a program that hangs is ended by the signal
+    alarm(patience_s);  // ends a program that hangs
     redirect(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
     redirect(error.c_str(), O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
     std::vector<char*> argv = {const_cast<char*>(program.c_str())};

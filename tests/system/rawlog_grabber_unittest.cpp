@@ -9,7 +9,7 @@
 #include "drive_video.h"
 #include "program.h"
 
-/// MRPT's own rawlog-grabber with the plug-in, and what it writes.
+/// MRPT's own rawlog-grabber with the plug-in, and its recordings.
 namespace flownav {
 namespace {
 
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 const std::string corridor = FLOWNAV_CORRIDOR;
 
-/// The recorded scene of the optional data.
+/// The recorded scene of the optional test data.
 fs::path scene() {
     const char* given = std::getenv("FLOWNAV_DATA");
     return fs::path(given != nullptr ? given : FLOWNAV_DATA) / "scenes/field.rawlog";
@@ -34,7 +34,7 @@ bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-/// Rounding of the time stamps (100 ns) is all that may differ.
+/// Allows only differences by the rounding of the time stamps (100 ns).
 void expect_rounding(const Differences& most) {
     std::cout << "most: " << most << '\n';
     EXPECT_LT(most.time_s, 1e-6);
@@ -98,7 +98,7 @@ class RawlogGrabber : public ::testing::Test {
     void expect_the_numbers_of_a_replay_from_a_video(const std::string& rawlog) const {
         const Outcome outcome = grab(make_drive_video(rawlog, folder));
         ByLabel replay = replayed(rawlog);
-        replay.erase("ODOMETRY");  // a video has none
+        replay.erase("ODOMETRY");  // a video has no odometry
         expect_same(outcome, replay);
     }
 
@@ -106,7 +106,7 @@ class RawlogGrabber : public ::testing::Test {
         ASSERT_EQ(outcome.status, 0) << outcome.error;
         const ByLabel grab = grabbed();
         auto found = counts(grab);
-        found.erase("FLOW_END");  // last of all; rawlog-grabber never writes the last
+        found.erase("FLOW_END");  // the last observation; rawlog-grabber never writes the last one
         ASSERT_EQ(found, counts(replay)) << outcome.error;
         for (const auto& [label, count] : found) std::cout << label << ' ' << count << '\n';
         expect_rounding(compared(grab, replay));

@@ -1,5 +1,5 @@
-"""Twelve short rawlogs with their manifest, and a flownav-replay that troubles some of them on request, for tests of
-what drives flownav-regress on many rawlogs."""
+"""Twelve short rawlogs with their manifest, and a flownav-replay with injected faults, for tests of programs that run
+flownav-regress on many rawlogs."""
 
 import os
 import shutil
@@ -10,8 +10,8 @@ from pathlib import Path
 COUNT = 12
 SECONDS_TO_RUN = 120
 
-# Called as flownav-replay RAWLOG --output DIR ...; the files in trouble/ tell what happens to a rawlog.
-# Every attempt is a line of calls: identifier, node, process.
+# Called as flownav-replay RAWLOG --output DIR ...; a file in trouble/ selects the fault of a rawlog. Every
+# attempt adds a line to `calls`: identifier, node, process.
 REPLAY = """#!/bin/bash
 here=$(dirname "$0")
 case $1 in --version) exec "$here/real-replay" --version ;; esac
@@ -40,8 +40,8 @@ def run(command, **more):
 
 
 class RawlogSet:
-    """In a new folder: recordings/, rawlogs.txt, and in bin/ flownav-regress beside the flownav-replay that is
-    troubled."""
+    """Creates in a new folder: recordings/, rawlogs.txt, and bin/ with flownav-regress and the flownav-replay with
+    faults."""
 
     def __init__(self, folder, build):
         self.folder = folder
@@ -80,10 +80,10 @@ class RawlogSet:
         return run([self.regress_program, *words])
 
     def calls(self):
-        """(identifier, node, process of flownav-regress) of every attempt."""
+        """Returns (identifier, node, process of flownav-regress) of every attempt."""
         file = self.folder / "calls"
         return [tuple(line.split()) for line in file.read_text().splitlines()] if file.exists() else []
 
     def outcome(self, output, identifier):
-        """Where the result of a rawlog is."""
+        """Returns the folders ("done", "failed") that hold the result of a rawlog."""
         return [kind for kind in ("done", "failed") if (Path(output) / kind / identifier).is_dir()]

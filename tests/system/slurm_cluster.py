@@ -1,5 +1,5 @@
-"""A Slurm cluster of two nodes on this machine: real daemons, loopback only, everything in one folder. It touches
-nothing of a Slurm or munge that is installed for the machine itself."""
+"""A Slurm cluster of two nodes on this machine: real daemons, loopback only, all files in one folder. It does not
+touch an installed Slurm or munge of the machine."""
 
 import contextlib
 import os
@@ -14,8 +14,8 @@ NODES = ["n1", "n2"]
 SECONDS_TO_START = 30
 SECONDS_TO_STOP = 10
 
-# cred_expire: a task that is queued again waits that long. Nodes of less weight get tasks first. config_overrides: a
-# node need not have what is said of it.
+# cred_expire: delay of a task that is queued again. Nodes of less weight get tasks first. config_overrides: a
+# node may have less than its configuration says.
 CONFIG = """
 ClusterName=flownav
 SlurmctldHost={host}(127.0.0.1)
@@ -59,7 +59,7 @@ def missing_programs():
 
 
 def free_ports(names):
-    """A port that nobody listens on for each name."""
+    """Returns an unused port for each name."""
     with contextlib.ExitStack() as open_sockets:
         ports = {}
         for name in names:
@@ -98,25 +98,25 @@ class SlurmCluster:
         wait_until(munge_socket.exists, SECONDS_TO_START, "munged answers")
 
     def start_node(self, node):
-        """In a name space of processes of its own: when its first one is killed, everything on the node is gone."""
+        """Starts a node in its own process namespace: killing its first process ends all processes of the node."""
         (self.folder / f"spool.{node}").mkdir(exist_ok=True)
         self.start_daemon(node, ["unshare", "--pid", "--fork", "--mount-proc", "--kill-child",
                                  "slurmd", "-D", "-f", self.folder / "slurm.conf", "-N", node])  # fmt: skip
 
     def start_daemon(self, name, command):
-        """Ends with this process, whatever ends that."""
+        """Starts a daemon that is killed when this process ends."""
         with open(self.folder / f"{name}.out", "wb") as out:
             self.daemons[name] = subprocess.Popen(["setpriv", "--pdeathsig", "KILL", *command], env=self.environment(),
                                                   stdin=subprocess.DEVNULL, stdout=out, stderr=out)  # fmt: skip
 
     def environment(self):
-        """Without what a Slurm of the machine may have set."""
+        """Returns the environment without the variables of an installed Slurm."""
         foreign = ("SLURM", "SBATCH", "SQUEUE", "SINFO", "SCONTROL")
         kept = {name: value for name, value in os.environ.items() if not name.startswith(foreign)}
         return dict(kept, SLURM_CONF=str(self.folder / "slurm.conf"), PATH=os.environ["PATH"] + ":/usr/sbin")
 
     def ask(self, *command):
-        """What a command of Slurm says; None when it failed."""
+        """Returns the output of a Slurm command; None when it failed."""
         done = subprocess.run(command, env=self.environment(), stdin=subprocess.DEVNULL, capture_output=True,
                               text=True, timeout=SECONDS_TO_START, check=False)  # fmt: skip
         return done.stdout.strip() if done.returncode == 0 else None
@@ -129,16 +129,16 @@ class SlurmCluster:
         wait_until(reached, seconds, f"{', '.join(nodes)} {state}")
 
     def wait_for_jobs(self, seconds):
-        """Until no job is queued or under way."""
+        """Waits until no job is queued or running."""
         wait_until(lambda: self.ask("squeue", "-h", "-r", "-o", "%i") == "", seconds, "all jobs have ended")
 
     def job(self, number):
-        """What scontrol knows of a job: names and values."""
+        """Returns scontrol's values of a job by name."""
         words = (self.ask("scontrol", "-o", "show", "job", str(number)) or "").split()
         return dict(word.split("=", 1) for word in words if "=" in word)
 
     def lose_node(self, node):
-        """As if its power had failed."""
+        """Kills a node, as a power failure would."""
         self.end(self.daemons.pop(node))
 
     def end(self, daemon):

@@ -1,5 +1,6 @@
-# cmake -DPROGRAM=path -DNAME=flownav-config -DVERSION=0.1.0 -DUSAGE=1 -P smoke.cmake; USAGE: exit status for bad usage
-# What every program must do: --help (with its exit statuses), --version, and refuse what it does not know.
+# cmake -DPROGRAM=path -DNAME=flownav-config -DVERSION=0.1.0 -DUSAGE=1 -P smoke.cmake; USAGE: exit status for
+# bad usage
+# Requires of every program: --help (with its exit statuses), --version, and an error for unknown arguments.
 execute_process(COMMAND ${PROGRAM} --help OUTPUT_VARIABLE help RESULT_VARIABLE status)
 if(NOT status EQUAL 0 OR NOT help MATCHES "[Ee]xit status")
     message(FATAL_ERROR "--help ended with ${status}:\n${help}")

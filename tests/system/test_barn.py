@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The benchmark of BARN drives every world, scores it as BARN does, and goes on where it was interrupted.
+"""The benchmark of BARN drives every world, scores it by BARN's formula, and continues after an interruption.
 Run by ctest as test_barn.py BARN.PY FLOWNAV-NAV WORLD WORK_FOLDER."""
 
 import json
@@ -11,7 +11,7 @@ import unittest
 from pathlib import Path
 
 BARN, PROGRAM, WORLD, WORK = (Path(word) for word in sys.argv[1:5])
-# The middle of each row of BARN's grid on the straight way from start to goal.
+# The centre of each row of BARN's grid on the straight line from start to goal.
 STRAIGHT = [(15, j) for j in range(-13, 53)]
 
 

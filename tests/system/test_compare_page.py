@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""compare.html in a real browser without a window: is everything drawn, and can every rawlog be chosen?
-Run by ctest as test_compare_page.py REGRESS REPLAY RAWLOG FOLDER CHROMIUM CHROMEDRIVER; ends with 77 where there is no
+"""Tests compare.html in a headless browser: all drawings are drawn, and every rawlog can be chosen.
+Run by ctest as test_compare_page.py REGRESS REPLAY RAWLOG FOLDER CHROMIUM CHROMEDRIVER; exit status 77 without
 selenium."""
 
 import json
@@ -25,7 +25,7 @@ except ModuleNotFoundError:
 WAIT_S = 30
 EVIL = "</script><!--<script><img src=x onerror=window.evil=1>"  # a text that must stay a text
 
-# How many points of each drawing are neither white nor transparent.
+# Number of pixels of each drawing that are neither white nor transparent.
 DRAWN = """
 return [...document.querySelectorAll('#drive figure')].map((figure) => {
     const canvas = figure.querySelector('canvas');
@@ -35,7 +35,7 @@ return [...document.querySelectorAll('#drive figure')].map((figure) => {
         if (points[i + 3] > 0 && points[i] + points[i + 1] + points[i + 2] < 720) ++drawn;
     return [figure.dataset.id || canvas.dataset.map || 'ways', drawn];
 });"""
-# How many points of a canvas have the colour of A or of B.
+# Number of pixels of a canvas with the colour of A or of B.
 COLOURED = """
 const canvas = document.querySelector(arguments[0]);
 const points = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
@@ -69,7 +69,8 @@ class ComparePage(unittest.TestCase):
 
     @classmethod
     def make_runs(cls):
-        """Runs a and b of one recording under three names, with another tau in b; `other` does not change."""
+        """Creates runs a and b of one recording under three names, with another tau in b; `other` is the same in
+        both."""
         rawlogs = cls.FOLDER / "rawlogs"
         rawlogs.mkdir()
         for name in ("drive", "other", "strange"):
@@ -92,7 +93,7 @@ class ComparePage(unittest.TestCase):
 
     @staticmethod
     def spoil(file):
-        """Puts texts into a result that a page must not take for HTML."""
+        """Writes texts with HTML syntax to a result; the page must show them as text."""
         result = json.loads(file.read_text())
         result["settings"] = f"[camera]\ncamera_label = {EVIL}\n"
         result["program"] = EVIL

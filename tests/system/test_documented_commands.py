@@ -22,20 +22,20 @@ import unittest
 from pathlib import Path
 
 SKIPPED = 77
-# Programs with windows, and a part of the title by which their window is known.
+# Programs with windows, and a part of the window title.
 WINDOWS = {"camera-calib": "Camera calibration", "RawLogViewer": "RawLog", "flownav-view": "flownav-view"}
 SECONDS_TO_SHOW_A_WINDOW = 120
 SECONDS_TO_RUN = 300
 
 
 def blocks(page):
-    """(kind, name, lines) of each fenced block."""
+    """Returns (kind, name, lines) of each fenced block."""
     for match in re.finditer(r"^```(\w+) ?(\S*)\n(.*?)^```$", page, re.MULTILINE | re.DOTALL):
         yield match[1], match[2], match[3].splitlines()
 
 
 def commands(lines):
-    """(command, files it makes) of the lines of a block; a backslash continues a line."""
+    """Returns (command, files it makes) of the lines of a block; a backslash continues a line."""
     text = "\n".join(lines).replace("\\\n", " ")
     for line in text.splitlines():
         command, _, comment = line.partition(" # ")
@@ -49,7 +49,7 @@ def program_of(command):
 
 
 class Display:
-    """A virtual display of its own."""
+    """A virtual display."""
 
     def __init__(self):
         reading, writing = os.pipe()
@@ -65,7 +65,7 @@ class Display:
 
 
 class Reader:
-    """Somebody who does what the page says, in a home folder of his own."""
+    """Runs the commands of a page in an empty home folder."""
 
     def __init__(self, home, display):
         self.home = home
@@ -79,7 +79,7 @@ class Reader:
         (self.show if shows_a_window else self.run)(command)
 
     def run(self, command):
-        """Returns what it said; raises when it fails."""
+        """Runs a command and returns its output; raises when it fails."""
         done = subprocess.run(["bash", "-euo", "pipefail", "-c", command], cwd=self.folder, text=True,
                               env=self.environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, timeout=SECONDS_TO_RUN, check=False)
@@ -88,13 +88,13 @@ class Reader:
         return done.stdout
 
     def show(self, command):
-        """Runs a program until its window is there, and closes it."""
+        """Runs a program until its window is visible, then ends it."""
         title = WINDOWS[program_of(command)]
         program = subprocess.Popen(["bash", "-c", "exec " + command], cwd=self.folder, env=self.environment,
                                    stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                    start_new_session=True)
         try:
-            # xdotool gives up when a window vanishes while it looks at all of them, as those of a start do.
+            # xdotool fails when a window vanishes during the search, as splash windows do.
             look = f'xdotool search --sync --onlyvisible --name "{title}"'
             self.run(f"timeout {SECONDS_TO_SHOW_A_WINDOW} sh -c 'until {look}; do :; done'")
             if program.poll() is not None:

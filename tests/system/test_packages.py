@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""share/apt-packages.txt covers what the build, the scripts and the tests use, and nothing else; what only Slurm takes
-stands in share/slurm/apt-packages.txt.
+"""share/apt-packages.txt lists exactly the packages that the build, the scripts and the tests use;
+share/slurm/apt-packages.txt lists those that only Slurm needs.
 Run by ctest as test_packages.py ROOT."""
 
 import re
@@ -10,7 +10,7 @@ from pathlib import Path
 
 from slurm_cluster import PROGRAMS as PROGRAMS_OF_THE_CLUSTER
 
-# What find_package() finds, and the Debian packages that bring it.
+# Names for find_package(), and the Debian packages that provide them.
 OF_PACKAGE = {
     "benchmark": {"libbenchmark-dev"},
     "Eigen3": {"libeigen3-dev"},
@@ -35,7 +35,7 @@ OF_PACKAGE = {
     "ZLIB": {"zlib1g-dev"},
     "flownav": set(),  # the consumer's: ourselves
 }
-# What the scripts of share/slurm call, and the cluster that tests them.
+# Programs called by the scripts of share/slurm and by the cluster that tests them.
 OF_SLURM = {
     "munged": {"munge"},
     "sbatch": {"slurm-client"},
@@ -45,7 +45,8 @@ OF_SLURM = {
     "slurmd": {"slurmd"},
     "squeue": {"slurm-client"},
 }
-# Programs called by scripts, by find_program() and by ctest, and files that find_file() finds. Every Debian has those of no package here.
+# Programs called by scripts, by find_program() and by ctest, and files for find_file(). Programs without a
+# package are part of every Debian.
 OF_PROGRAM = {
     "ccache": {"ccache"},
     "chromedriver": {"chromium-driver"},
@@ -69,9 +70,9 @@ OF_PROGRAM = {
 }
 EVERYWHERE = "apt-get awk cat chmod dirname dpkg-query env grep id ln mkdir mktemp mv nproc realpath rm rmdir sed tr"
 OF_PROGRAM |= {name: set() for name in [*EVERYWHERE.split(), *OF_SLURM]}  # those of Slurm have a list of their own
-# Modules imported by the scripts in Python, beside Python's own.
+# Modules imported by the Python scripts, except Python's own.
 OF_MODULE = {"numpy": {"python3-numpy"}, "cv2": {"python3-opencv"}, "selenium": {"python3-selenium"}}
-# Folders of the system that the tests read.
+# System folders read by the tests.
 OF_FOLDER = {"/usr/share/mrpt": {"mrpt-common"}}
 
 SHELL_WORDS = set(
@@ -86,7 +87,7 @@ def packages_listed(text):
 
 
 def cmake_needs(text):
-    """(names of packages, names of programs and files) that a CMake file looks for."""
+    """Returns (names of packages, names of programs and files) that a CMake file looks for."""
     code = re.sub(r"#.*", "", text)
     packages = set(re.findall(r"\bfind_(?:package|dependency)\(\s*([\w-]+)", code))
     programs = set(re.findall(r"\bfind_(?:program|file)\(\s*\w+\s+(?:NAMES\s+)?([\w.+-]+)", code))
@@ -94,8 +95,7 @@ def cmake_needs(text):
 
 
 def programs_called(script):
-    """The first word of every command in a shell script; here-documents are not looked into, nor is a command
-    that a variable holds."""
+    """Returns the first word of every command in a shell script; ignores here-documents and commands in variables."""
     code = re.sub(r"<<-?\s*['\"]?(\w+)['\"]?.*?\n\1\n", "\n", script + "\n", flags=re.DOTALL)
     code = re.sub(r"(^|\s)#.*", r"\1", code)
     code = re.sub(r"\\\n", " ", code)
@@ -146,7 +146,8 @@ class Packages(unittest.TestCase):
         return [file.read_text() for file in self.files(*patterns)]
 
     def needs(self):
-        """Everything looked for, called, imported or read in the tree: four sets of names."""
+        """Returns four sets of names used in the tree: packages searched for, programs called, modules imported,
+        folders read."""
         packages, programs, modules, folders = set(), {"cmake", "ctest", "g++", "python3"}, set(), set()
         for text in self.texts("CMakeLists.txt", "*.cmake", "*.cmake.in"):
             more_packages, more_programs = cmake_needs(text)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""GNU parallel replays a manifest with the commands of share/doc/clusters.md, is interrupted and goes on.
+"""GNU parallel replays a manifest with the commands of share/doc/clusters.md, is interrupted and continues.
 Run by ctest as test_parallel.py PAGE.md BUILD_FOLDER WORK_FOLDER."""
 
 import os
@@ -20,13 +20,13 @@ SECONDS_TO_RUN = 120
 
 
 def commands():
-    """The block of shell commands of the page's section on GNU parallel."""
+    """Returns the block of shell commands in the page's section on GNU parallel."""
     section = re.search(r"^## GNU parallel\n(.*?)^## ", PAGE.read_text(), re.MULTILINE | re.DOTALL)[1]
     return re.search(r"^```sh\n(.*?)^```$", section, re.MULTILINE | re.DOTALL)[1]
 
 
 def start(rawlogs):
-    """Types the commands, two jobs at a time, in a process group of their own as a terminal would."""
+    """Runs the commands with two jobs at a time in their own process group, as a terminal does."""
     environment = dict(os.environ, PARALLEL="--jobs 2", PATH=f"{rawlogs.folder}/bin:{os.environ['PATH']}",
                        HOME=str(rawlogs.folder))  # fmt: skip
     return subprocess.Popen(["bash", "-euo", "pipefail", "-c", commands()], cwd=rawlogs.folder, env=environment,

@@ -21,7 +21,7 @@ KEPT = ["result.json", "run.rawlog", "drive.csv", "drive.png", "report.html", "s
 
 
 class StandingBase:
-    """A base that stands wherever it is told to go: answers hello, tells its pose, and keeps what it hears."""
+    """A base that does not move: answers hello, sends its pose, and keeps all received lines."""
 
     def __init__(self):
         self.listener = socket.create_server(("127.0.0.1", 0))
@@ -57,7 +57,7 @@ class StandingBase:
         connection.close()
 
     def all_lines(self):
-        """After flownav has closed the connection."""
+        """Returns all received lines after flownav has closed the connection."""
         self.thread.join(timeout=60)
         return self.lines
 

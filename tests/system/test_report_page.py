@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""report.html in a real browser without a window: is everything drawn, and does everything follow the cursor?
-Run by ctest as test_report_page.py REPLAY RAWLOG FOLDER CHROMIUM CHROMEDRIVER; ends with 77 where there is no selenium."""
+"""Tests report.html in a headless browser: all charts are drawn and follow the cursor.
+Run by ctest as test_report_page.py REPLAY RAWLOG FOLDER CHROMIUM CHROMEDRIVER; exit status 77 without selenium."""
 
 import shutil
 import subprocess
@@ -24,7 +24,7 @@ except ModuleNotFoundError:
 WAIT_S = 30
 NAME = "<img src=x onerror=window.evil=1>.rawlog"  # a name that must stay a name
 
-# How many points of each chart's drawing are neither white nor transparent.
+# Number of pixels of each chart's drawing that are neither white nor transparent.
 DRAWN = """
 return [...document.querySelectorAll('.chart, .plan')].map((figure) => {
     const canvas = figure.querySelector('canvas');
@@ -34,10 +34,10 @@ return [...document.querySelectorAll('.chart, .plan')].map((figure) => {
         if (points[i + 3] > 0 && points[i] + points[i + 1] + points[i + 2] < 720) ++drawn;
     return [figure.id || canvas.id, drawn];
 });"""
-# Where the line of the moment stands in each chart; null where it is not shown.
+# Position of the cursor line in each chart; null when it is not shown.
 CURSORS = """
 return [...document.querySelectorAll('.cursor')].map((line) => line.hidden ? null : line.getBoundingClientRect().left);"""
-# The labels of the time axis of each chart.
+# Labels of the time axis of each chart.
 AXES = """
 return [...document.querySelectorAll('.chart')].map((chart) =>
     [...chart.querySelectorAll('.dygraph-axis-label-x')].map((label) => label.textContent).join(' '));"""
@@ -86,7 +86,7 @@ class ReportPage(unittest.TestCase):
         return self.run_script("return ['way', 'map'].map((id) => document.getElementById(id).dataset.robot)")
 
     def picture(self):
-        """Time of the picture shown, by the strip; it must be the large one."""
+        """Returns the time of the selected picture in the strip, which must be the one shown large."""
         script = """
             const current = document.querySelectorAll('#strip .current');
             return [current.length, current[0].querySelector('img').src === document.getElementById('large').src,
@@ -112,7 +112,7 @@ class ReportPage(unittest.TestCase):
 
     def test_every_chart_is_drawn_and_nothing_is_fetched(self):
         drawn = dict(self.until(lambda: self.run_script(DRAWN)))
-        expected = {"chart-" + name for name in "status turn speed heading distance fates counts".split()}
+        expected = {"chart-" + name for name in "status turn speed heading distance labels counts".split()}
         self.assertEqual(set(drawn), expected | {"way", "map"})
         for name, points in drawn.items():
             self.assertGreater(points, 1000, name)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""A manifest is replayed on a Slurm cluster by the scripts of share/slurm: among its rawlogs are a damaged one, one
-whose replay never ends and one whose results cannot be written, and one of the two nodes is lost in the middle.
-Run by tests/run.sh --slurm as test_slurm.py BUILD_FOLDER. Exit status 77: there is no Slurm, or one is not root."""
+"""Replays a manifest on a Slurm cluster with the scripts of share/slurm. One rawlog is damaged, one replay never
+ends, one result cannot be written, and one of the two nodes is lost during the run.
+Run by tests/run.sh --slurm as test_slurm.py BUILD_FOLDER. Exit status 77: no Slurm, or not root."""
 
 import os
 import re
@@ -78,7 +78,7 @@ class Slurm(unittest.TestCase):
 
     @classmethod
     def submit(cls, *more):
-        """The numbers of the array job and of the merge job, and which tasks were submitted."""
+        """Returns the numbers of the array job and of the merge job, and the submitted tasks."""
         environment = dict(cls.cluster.environment(), FLOWNAV_REGRESS=str(cls.rawlogs.regress_program), RETRIES="1")
         done = run([SUBMIT, cls.rawlogs.manifest, cls.output, *more, *OPTIONS], env=environment)
         match = re.search(r"Job (\d+) replays shards (\S+) of 12; then job (\d+) merges", done.stdout)
@@ -87,7 +87,7 @@ class Slurm(unittest.TestCase):
         return match[1], match[3], match[2]
 
     def attempts(self, number):
-        """The nodes of the attempts at a rawlog, before the resumption."""
+        """Returns the nodes of the attempts at a rawlog before the resumption."""
         return [node for identifier, node, _ in self.first_calls if identifier == name(number)]
 
     def test_what_was_under_way_on_the_lost_node_is_done_on_the_other(self):
@@ -132,7 +132,7 @@ class Slurm(unittest.TestCase):
 
 
 def why_not():
-    """Why no cluster can be started here, or nothing."""
+    """Returns the reason why no cluster can be started here; empty when it can."""
     if os.geteuid() != 0:
         return "only root can start a Slurm cluster"
     if missing := missing_programs():

@@ -12,9 +12,9 @@
 #include "view_samples.h"
 #include "x_display.h"
 
-/// Under sanitizers: Mesa's drivers keep what they allocate once; leaks of our own show in the other tests.
-/// And nanogui's library, built for an older C++, frees what its headers allocate with the operator new of
-/// C++17.
+/// Disables leak detection under sanitizers, because Mesa's drivers keep one-time allocations; other tests
+/// detect leaks of the project. Also allows mismatched new and delete: nanogui's library, built for an older
+/// C++, frees allocations of the operator new of C++17 in its headers.
 extern "C" const char* __asan_default_options() {  // NOLINT
     return "detect_leaks=0:alloc_dealloc_mismatch=0";
 }
@@ -31,10 +31,10 @@ int pixels_of(const cv::Mat& picture, const cv::Scalar& colour) {
     return cv::countNonZero(same);
 }
 
-/// The real window on a display of its own, driven through the events that the window system would send.
+/// The real window on a virtual display, driven by the events of the window system.
 class Window : public ::testing::Test {
   protected:
-    /// Of this process alone: tests run side by side.
+    /// A folder of this process, because tests run in parallel.
     static std::filesystem::path display_folder() {
         return std::filesystem::path(::testing::TempDir()) / ("view_display_" + std::to_string(::getpid()));
     }
@@ -63,7 +63,7 @@ class Window : public ::testing::Test {
     }
     void TearDown() override { window = nullptr; }
 
-    /// Two turns, so that what is drawn has also been brought to the display.
+    /// Runs two turns, so that the drawn picture has reached the display.
     void show(double elapsed_s = 0.0) {
         for (int i = 0; i < 2; ++i) {
             window->turn(i == 0 ? elapsed_s : 0.0);
@@ -90,14 +90,14 @@ class Window : public ::testing::Test {
         return nlohmann::json::parse(all.substr(begin == std::string::npos ? 0 : begin + 1));
     }
 
-    /// What is on the display where the window's picture is.
+    /// The part of the display that shows the window's picture.
     cv::Mat on_display() const {
         const cv::Mat screen = display->screenshot();
         return screen(cv::Rect({0, 0}, command.size)).clone();
     }
 
-    /// How far the display is from the session's picture, in grey levels. The display shows what was drawn
-    /// when it gets to it, not at once.
+    /// Difference between the display and the session's picture, in grey levels. The display follows with a
+    /// delay.
     double difference_on_display() {
         double difference = HUGE_VAL;
         for (int i = 0; i < 50 && difference >= 2.0; ++i) {
@@ -175,9 +175,9 @@ TEST_F(Window, AClickInTheChartGoesThere) {
 
 TEST_F(Window, AButtonDoesWhatItsKeyDoes) {
     const int top = command.size.height + 20;
-    click(command.size.width / 12 * 4 + 50, top);  // the fifth of twelve: the last field
+    click(command.size.width / 12 * 4 + 50, top);  // the fifth of twelve buttons: last field
     EXPECT_EQ(last_state()["field"], 59);
-    click(50, top);  // the first: the first field
+    click(50, top);  // the first button: first field
     EXPECT_EQ(last_state()["field"], 0);
 }
 

@@ -1,4 +1,4 @@
-"""Waits for what another program brings about."""
+"""Waits for an effect of another program."""
 
 import time
 
@@ -6,7 +6,7 @@ SECONDS_BETWEEN_LOOKS = 0.1
 
 
 def wait_until(condition, seconds, what):
-    """Looks again and again; returns what the condition returned, raises when it stays false."""
+    """Polls the condition until it is true and returns its value; raises TimeoutError after `seconds`."""
     deadline = time.monotonic() + seconds
     while not (answer := condition()):
         if time.monotonic() > deadline:

@@ -14,7 +14,7 @@
 namespace flownav::testing {
 namespace {
 
-/// The line that Xvfb writes when it is ready: the number of the display; empty when it could not start.
+/// Reads the number of the display, which Xvfb writes when it is ready; empty when Xvfb could not start.
 std::string read_line(int descriptor) {
     std::string line;
     for (char c = 0; ::read(descriptor, &c, 1) == 1 && c != '\n';) line += c;
@@ -22,7 +22,8 @@ std::string read_line(int descriptor) {
 }
 
 [[noreturn]] void become_xvfb(int ready, const std::string& folder) {
-    // A path in the build comes from CMake; a crash of the test shall not leave the server behind.
+    // CMake provides the path of Xvfb. The option -terminate ends the server when its last client ends, also
+    // after a crash of the test.
     const std::string number = std::to_string(ready);
     const int nowhere = ::open("/dev/null", O_WRONLY);
     ::dup2(nowhere, STDERR_FILENO);
@@ -65,7 +66,7 @@ XDisplay::~XDisplay() {
 cv::Mat XDisplay::screenshot() const {
     std::ifstream stream(file_, std::ios::binary);
     std::vector<char> bytes((std::istreambuf_iterator<char>(stream)), {});
-    // An XWD file: the sizes of header and colour table, and the picture's, stand in fixed places.
+    // Positions in the header of an XWD file.
     constexpr std::size_t header_size = 0, width = 4, height = 5, bytes_per_line = 12, colours = 19;
     constexpr std::size_t colour_bytes = 12;
     const std::size_t begin = number_at(bytes, header_size) + colour_bytes * number_at(bytes, colours);

@@ -8,10 +8,10 @@
 
 namespace flownav::testing {
 
-/// A display without a screen, for as long as this lives: Xvfb, which keeps its picture in a file.
+/// A virtual display by Xvfb, which keeps its picture in a file; ends with the object.
 class XDisplay {
   public:
-    /// Null when there is no Xvfb. `folder` takes its files.
+    /// Starts Xvfb with its files in `folder`. Null when Xvfb is missing.
     static std::unique_ptr<XDisplay> start(const std::filesystem::path& folder);
     ~XDisplay();
     XDisplay(const XDisplay&) = delete;
@@ -19,7 +19,7 @@ class XDisplay {
 
     const std::string& name() const { return name_; }
 
-    /// What is on it, 8-bit BGR.
+    /// The content of the display, 8-bit BGR.
     cv::Mat screenshot() const;
 
   private:

@@ -2,63 +2,62 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <opencv2/imgcodecs.hpp>
 #include <optional>
 
 #include "calibration_ini.h"
 #include "calibration_start.h"
 #include "flownav/cli/number_text.h"
+#include "flownav/cli/usage_error.h"
 #include "flownav/core/plane_geometry.h"
 #include "flownav/core/version.h"
 #include "flownav/evaluation/pose_fit.h"
 #include "flownav/io/input_path.h"
 #include "flownav/io/output_file.h"
+#include "flownav/math/units.h"
 #include "flownav/report/residual_picture.h"
 
 namespace flownav::calibration {
 namespace {
 
-constexpr double deg = M_PI / 180;
 constexpr int rounds_max = 4;
 constexpr double settled_deg = 0.01;
-constexpr double rescale_min = 0.1;      // a height this wrong makes cycles of the wrong length
-constexpr double agreeing_plain = 0.65;  // below, the result comes with a caution
-constexpr double agreeing_least = 0.35;  // below, no floor explains the drive
+constexpr double rescale_min = 0.1;  // relative error of the height that gives cycles of the wrong length
+constexpr double agreeing_caution = 0.65;  // below, the result carries a caution
+constexpr double agreeing_min = 0.35;      // below, the result is rejected
 constexpr double angle_sigma_max_deg = 0.3;
 constexpr double scale_sigma_max = 0.05;
 constexpr int pairs_min = 10;
-constexpr double longer_cycles = 1.5;  // the longer the way, the less a vector's pixel errors count
+constexpr double longer_cycles = 1.5;  // longer travel reduces the influence of pixel errors
 constexpr motion::AngleMask all_angles = {true, true, true};
 
-/// What was asked for makes no sense, or not enough could be seen; what() says why.
-struct UsageError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
+/// Thrown when the drive does not determine the pitch; what() holds the reason.
 struct NotDetermined : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
 void refuse_bad_input(const std::filesystem::path& input) {
     const std::string problem = io::problem_of_input(input);
-    if (!problem.empty()) throw UsageError(problem);
+    if (!problem.empty()) throw cli::UsageError(problem);
 }
 
 void refuse_overwriting(const CalibrationOptions& o) {
     std::error_code error;
     for (const auto& file : {o.output, o.picture}) {
         if (file.empty() || !std::filesystem::equivalent(o.input, file, error)) continue;
-        throw UsageError(file.string() + " is the input: choose another name for the output");
+        throw cli::UsageError(file.string() + " is the input: choose another name for the output");
     }
 }
 
 std::string degrees_text(double angle_rad) {
-    return cli::fixed_text(angle_rad / deg, 3);
+    return cli::fixed_text(angle_rad / degree_rad, 3);
 }
 
 class Run {
   public:
     explicit Run(const CalibrationOptions& options)
-        : options_(options), config_(options.config), progress_(stdout, options.progress) {
+        : options_(options), config_(options.config), progress_(std::cout, options.progress) {
         config_.pipeline.rate.travel_m *= longer_cycles;
     }
 
@@ -69,7 +68,7 @@ class Run {
         config_ = start.config;
         given_ = start.given;
         refine();
-        judge();
+        collect_values();
         write();
         return result_;
     }
@@ -78,13 +77,14 @@ class Run {
     void refine() {
         for (int round = 0; round < rounds_max; ++round) {
             drive_ = evaluation::collect_pairs(options_.input, config_, 0, progress_);
-            if (drive_.fields == 0) throw UsageError("no field could be used in " + options_.input.string());
+            if (drive_.fields == 0)
+                throw cli::UsageError("no field could be used in " + options_.input.string());
             fit_ = evaluation::fit_angles(drive_.pairs, motion::MountAngles::Zero(), all_angles);
             if (options_.odometry) scale_ = evaluation::fit_scale(travel_pieces(), drive_.odometry);
             require_determined();
-            hold_what_is_unknown();
+            keep_undetermined_angles();
             const bool rescale = scale_ && std::abs(scale_->ratio - 1.0) > rescale_min;
-            if (fit_.correction_rad.norm() < settled_deg * deg && !rescale) return;
+            if (fit_.correction_rad.norm() < settled_deg * degree_rad && !rescale) return;
             set_angles(config_, final_mount());
             if (rescale) config_.camera.height_m = plausible_height(assumed().height_m * scale_->ratio);
         }
@@ -104,10 +104,10 @@ class Run {
     CameraMount assumed() const { return drive_.pairs.front().reference.mount; }
     CameraMount final_mount() const { return motion::corrected(assumed(), fit_.correction_rad); }
 
-    bool determined(int angle) const { return fit_.sigma_rad[angle] < angle_sigma_max_deg * deg; }
+    bool determined(int angle) const { return fit_.sigma_rad[angle] < angle_sigma_max_deg * degree_rad; }
 
-    /// An angle that the drive does not tell stays what it was.
-    void hold_what_is_unknown() {
+    /// Keeps angles that the drive does not determine, and fits the others again.
+    void keep_undetermined_angles() {
         const motion::AngleMask known = {true, determined(1), determined(2)};
         if (known == all_angles) return;
         const CameraMount mount = assumed();
@@ -132,7 +132,7 @@ class Run {
             throw NotDetermined(found + "its uncertainty is " + degrees_text(fit_.sigma_rad[0]) +
                                 " deg after " + cli::fixed_text(drive_.path_m, 2) + " m of travel" + advice);
         }
-        if (!fit_.settled || !within_ranges(final_mount()) || fit_.agreeing < agreeing_least) {
+        if (!fit_.settled || !within_ranges(final_mount()) || fit_.agreeing < agreeing_min) {
             throw NotDetermined(found + "no pose explains it: " + cli::fixed_text(100 * fit_.agreeing, 0) +
                                 " % of the near vectors agree with a floor at the best one (pitch " +
                                 degrees_text(final_mount().pitch_rad) +
@@ -140,20 +140,20 @@ class Run {
         }
     }
 
-    void judge() {
+    void collect_values() {
         const CameraMount found = final_mount();
         const auto angle = [this](const char* key, double before, double after, int i) {
-            result_.values.push_back(
-                {key, "deg", before / deg, after / deg, fit_.sigma_rad[i] / deg, determined(i)});
+            result_.values.push_back({key, "deg", before / degree_rad, after / degree_rad,
+                                      fit_.sigma_rad[i] / degree_rad, determined(i)});
         };
         angle("pitch_deg", given_.pitch_rad, found.pitch_rad, 0);
         angle("roll_deg", given_.roll_rad, found.roll_rad, 1);
         angle("yaw_deg", given_.yaw_rad, found.yaw_rad, 2);
-        judge_height(found);
+        add_height(found);
         add_notes();
     }
 
-    void judge_height(const CameraMount& found) {
+    void add_height(const CameraMount& found) {
         CalibratedValue value{"height_m", "m", given_.height_m, found.height_m, 0.0, false};
         if (scale_) {
             const double relative =
@@ -177,7 +177,7 @@ class Run {
         result_.notes.push_back(
             std::to_string(fit_.pairs) + " pairs of fields from " + options_.input.filename().string() +
             ", " + cli::fixed_text(drive_.duration_s, 1) + " s, " + cli::fixed_text(drive_.path_m, 1) + " m");
-        if (fit_.agreeing < agreeing_plain) {
+        if (fit_.agreeing < agreeing_caution) {
             result_.notes.push_back("Only " + cli::fixed_text(100 * fit_.agreeing, 0) +
                                     " % of the near vectors agree with a plane: take the values with care. A "
                                     "level floor with nothing on it calibrates better.");
@@ -230,7 +230,7 @@ class Run {
     const CalibrationOptions& options_;
     config::Config config_;
     cli::Progress progress_;
-    CameraMount given_;  ///< where the calibration started
+    CameraMount given_;  ///< mount before the calibration
     evaluation::CalibrationDrive drive_;
     evaluation::AnglesFit fit_;
     std::optional<evaluation::ScaleFit> scale_;

@@ -1,7 +1,5 @@
 #include "calibration_ini.h"
 
-#include <mrpt/config/CConfigFileMemory.h>
-
 #include <algorithm>
 
 #include "flownav/cli/number_text.h"
@@ -18,7 +16,7 @@ const CalibratedValue* calibrated(const std::vector<CalibratedValue>& values, co
     return found == values.end() ? nullptr : &*found;
 }
 
-/// Comments end with their line, and names of files may hold anything.
+/// Replaces line breaks and backslashes, which file names may contain, because they would end a comment.
 std::string one_line(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\\'; }, ' ');
@@ -36,13 +34,12 @@ std::string describe(const CalibratedValue& value) {
 
 std::string calibration_ini(const config::Config& given, const std::vector<CalibratedValue>& values,
                             const std::vector<std::string>& header) {
-    const mrpt::config::CConfigFileMemory ini(config::dump_config(given));
     std::string text;
     for (const std::string& line : header) text += "# " + one_line(line) + '\n';
     std::string section;
     for (const config::ConfigKey& key : config::config_keys()) {
         const CalibratedValue* value = calibrated(values, key);
-        const std::string setting = ini.read_string(key.section, key.name, key.default_value);
+        const std::string setting = config::config_value(given, key.full_name());
         if (value == nullptr && setting == key.default_value) continue;
         if (key.section != section) text += "\n[" + key.section + "]\n";
         section = key.section;

@@ -6,8 +6,8 @@
 
 namespace flownav::calibration {
 
-/// The ini of a calibrated camera: everything that `given` sets, with the determined values in place, each
-/// under a comment. `header`: lines of comment at the top.
+/// Text of the ini of a calibrated camera: all values that `given` sets, and the determined values with a
+/// comment about their uncertainty. `header`: lines of comment at the top.
 std::string calibration_ini(const config::Config& given, const std::vector<CalibratedValue>& values,
                             const std::vector<std::string>& header);
 

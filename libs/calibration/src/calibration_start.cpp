@@ -1,21 +1,23 @@
 #include "calibration_start.h"
 
 #include <cmath>
+#include <iostream>
 #include <optional>
+
+#include "flownav/math/units.h"
 
 namespace flownav::calibration {
 namespace {
 
-constexpr double deg = M_PI / 180;
 constexpr std::uint64_t stretch_cycles = 100;
 constexpr int stretch_rounds = 3;
 constexpr double settled_deg = 0.1;
-constexpr double agreeing_min = 0.5;  // of the near vectors; below, another start may explain more
+constexpr double agreeing_min = 0.5;  // share of the near vectors; below, other starts are tried
 constexpr double sigma_max_deg = 1.0;
 constexpr int scan_first_deg = 5, scan_last_deg = 65, scan_step_deg = 10;
 constexpr double height_unknown_m = 1.0;
 
-/// A hypothesis about the camera, and how well it explains a stretch of the drive.
+/// Hypothesis of the camera's pose, and the vectors of a stretch of the drive that agree with it.
 struct Hypothesis {
     config::Config config;
     double agreeing_vectors = 0.0;
@@ -24,11 +26,11 @@ struct Hypothesis {
 
 evaluation::CalibrationDrive stretch(const std::filesystem::path& input, const config::Config& config,
                                      std::uint64_t cycles) {
-    cli::Progress silent(stdout, cli::Progress::Style::Silent);
+    cli::Progress silent(std::cout, cli::Progress::Style::Silent);
     return evaluation::collect_pairs(input, config, cycles, silent);
 }
 
-/// Moves a hypothesis to what explains the stretch best.
+/// Refines a hypothesis to the best fit of the first stretch of the drive.
 Hypothesis settled(const std::filesystem::path& input, config::Config config) {
     Hypothesis h{std::move(config), 0.0, 0.0};
     for (int round = 0; round < stretch_rounds; ++round) {
@@ -37,14 +39,14 @@ Hypothesis settled(const std::filesystem::path& input, config::Config config) {
         const evaluation::AnglesFit fit =
             evaluation::fit_angles(drive.pairs, motion::MountAngles::Zero(), {true, true, true});
         const CameraMount mount = motion::corrected(drive.pairs.front().reference.mount, fit.correction_rad);
-        // A motion that is nothing but rotation explains many vectors under any pose.
-        const bool means_something =
-            fit.settled && within_ranges(mount) && fit.sigma_rad[0] < sigma_max_deg * deg;
-        h.agreeing = means_something ? fit.agreeing : 0.0;
-        h.agreeing_vectors = means_something ? fit.agreeing_vectors : 0.0;
-        if (!means_something) return h;
+        // A pure rotation agrees with many vectors under any pose.
+        const bool determined =
+            fit.settled && within_ranges(mount) && fit.sigma_rad[0] < sigma_max_deg * degree_rad;
+        h.agreeing = determined ? fit.agreeing : 0.0;
+        h.agreeing_vectors = determined ? fit.agreeing_vectors : 0.0;
+        if (!determined) return h;
         set_angles(h.config, mount);
-        if (fit.correction_rad.norm() < settled_deg * deg) break;
+        if (fit.correction_rad.norm() < settled_deg * degree_rad) break;
     }
     return h;
 }
@@ -72,14 +74,14 @@ CalibrationStart find_start(const std::filesystem::path& input, config::Config c
 }
 
 bool within_ranges(const CameraMount& m) {
-    return m.pitch_rad > -5 * deg && m.pitch_rad < 80 * deg && std::abs(m.roll_rad) < 10 * deg &&
-           std::abs(m.yaw_rad) < 10 * deg;
+    return m.pitch_rad > -5 * degree_rad && m.pitch_rad < 80 * degree_rad &&
+           std::abs(m.roll_rad) < 10 * degree_rad && std::abs(m.yaw_rad) < 10 * degree_rad;
 }
 
 void set_angles(config::Config& config, const CameraMount& mount) {
-    config.camera.pitch_deg = mount.pitch_rad / deg;
-    config.camera.roll_deg = mount.roll_rad / deg;
-    config.camera.yaw_deg = mount.yaw_rad / deg;
+    config.camera.pitch_deg = mount.pitch_rad / degree_rad;
+    config.camera.roll_deg = mount.roll_rad / degree_rad;
+    config.camera.yaw_deg = mount.yaw_rad / degree_rad;
 }
 
 }  // namespace flownav::calibration

@@ -6,18 +6,18 @@
 
 namespace flownav::calibration {
 
-/// Where a calibration starts.
+/// Start of a calibration.
 struct CalibrationStart {
-    config::Config config;  ///< with angles that explain the beginning of the drive
-    CameraMount given;      ///< what was known before, or the first guess
+    config::Config config;  ///< with angles that fit the beginning of the drive
+    CameraMount given;      ///< the given mount, or the first guess
 };
 
-/// Tries the given pose on the first stretch of the drive, and where that explains little, or there is none,
-/// pitches from 5 to 65 degrees. With odometry the height need not be known either.
-/// Throws InputError, and ConfigError when the camera cannot be used.
+/// Fits the given pose to the first stretch of the drive. When it agrees with few vectors, or there is none,
+/// tries pitches from 5 to 65 degrees. With odometry the height may be unknown. Throws InputError, and
+/// ConfigError when the camera cannot be used.
 CalibrationStart find_start(const std::filesystem::path& input, config::Config config, bool odometry);
 
-/// Whether the configuration allows these angles.
+/// True when the configuration allows the angles of the mount.
 bool within_ranges(const CameraMount& mount);
 
 void set_angles(config::Config& config, const CameraMount& mount);

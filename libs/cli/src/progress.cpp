@@ -1,9 +1,6 @@
 #include "flownav/cli/progress.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <string>
 
 namespace flownav::cli {
 
@@ -16,16 +13,10 @@ std::string fields_text(std::uint64_t fields) {
     return std::to_string(fields) + (fields == 1 ? " field" : " fields");
 }
 
-void put(std::FILE* stream, const std::string& text) {
-    // Nobody depends on the progress: when it cannot be shown, the work goes on.
-    std::fputs(text.c_str(), stream);
-    std::fflush(stream);
-}
-
 }  // namespace
 
-Progress::Style Progress::style_for(std::FILE* stream) {
-    return isatty(fileno(stream)) != 0 ? Style::Bar : Style::Lines;
+Progress::Style Progress::style_for(const std::ostream& out) {
+    return is_terminal(out) ? Style::Bar : Style::Lines;
 }
 
 void Progress::update(double share, std::uint64_t fields) {
@@ -35,19 +26,19 @@ void Progress::update(double share, std::uint64_t fields) {
     if (percent <= last_percent_) return;
     last_percent_ = percent;
     if (style_ == Style::Bar) return draw_bar(percent, fields);
-    put(stream_, std::to_string(percent) + " %, " + fields_text(fields) + '\n');
+    line_.show(std::to_string(percent) + " %, " + fields_text(fields));
 }
 
 void Progress::finish(std::uint64_t fields) {
     if (style_ != Style::Bar) return;
     draw_bar(last_percent_, fields);
-    put(stream_, "\n");
+    line_.end();
 }
 
 void Progress::draw_bar(int percent, std::uint64_t fields) {
     const auto done = static_cast<std::size_t>(percent * bar_characters / 100);
-    put(stream_, "\r[" + std::string(done, '#') + std::string(bar_characters - done, '.') + "] " +
-                     std::to_string(percent) + " %, " + fields_text(fields));
+    line_.show('[' + std::string(done, '#') + std::string(bar_characters - done, '.') + "] " +
+               std::to_string(percent) + " %, " + fields_text(fields));
 }
 
 }  // namespace flownav::cli

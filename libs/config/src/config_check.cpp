@@ -6,8 +6,16 @@
 namespace flownav::config {
 namespace {
 
-constexpr double cells_max = 2000.0;    // across the local map
-constexpr double around_robot_m = 0.4;  // of the local map: what stands beside the robot is seen
+constexpr double cells_max = 2000.0;    // along the edge of the local map
+constexpr double around_robot_m = 0.4;  // strip of the local map around the robot
+
+void check_guard(const nav::GuardParams& guard) {
+    if (guard.probe_wait_s <= guard.probe_max_s) return;
+    std::ostringstream text;
+    text << "guard.probe_wait_s = " << guard.probe_wait_s
+         << ": is more than guard.probe_max_s; allowed: up to " << guard.probe_max_s;
+    throw ConfigError(text.str());
+}
 
 }  // namespace
 
@@ -22,6 +30,7 @@ void check_map(const Config& config) {
 }
 
 void check_navigation(const Config& config) {
+    check_guard(config.guard);
     const double radius_m = circumscribed_radius_m(config.navigation.robot.footprint_m);
     const double least_m = 2.0 * (radius_m + around_robot_m);
     if (config.map.size_m > least_m) return;

@@ -22,7 +22,7 @@ std::string read_text(const std::string& path) {
 
 void load_config_file(Config& config, const std::string& path) {
     Config loaded = config;
-    for (const auto& entry : config::parse_ini(path, read_text(path))) {
+    for (const auto& entry : parse_ini(path, read_text(path))) {
         try {
             set_config_value(loaded, entry.section + "." + entry.name, entry.value);
         } catch (const ConfigError& error) {

@@ -8,6 +8,7 @@
 
 #include "flownav/config/config.h"
 #include "flownav/config/config_value.h"
+#include "renamed.h"
 
 // A member of a Config, whether const or not.
 #define AT(member) ([](auto& config) -> auto& { return (config.member); })
@@ -21,13 +22,13 @@ struct Key {
     std::function<void(Config&, const std::string&)> set;  ///< throws BadValue
 };
 
-/// Every key, in the order of the ini. Adding or renaming one is a matter of one line there.
+/// All keys, the keys of a section side by side. A key is one entry in the function of its section.
 const std::vector<Key>& key_table();
 
-/// The keys of the section [navigation].
 std::vector<Key> navigation_keys();
+std::vector<Key> guard_keys();
 
-/// The words of a text, which blanks and commas part.
+/// The words of a text, separated by blanks or commas.
 inline std::vector<std::string> words_of(const std::string& text) {
     constexpr auto separators = " \t,";
     std::vector<std::string> words;
@@ -39,22 +40,30 @@ inline std::vector<std::string> words_of(const std::string& text) {
     return words;
 }
 
+/// Marks the keys that most users set; at most 30. All others are advanced.
+inline constexpr bool everyday = true;
+
 /// The parts of a key's documentation that are written by hand.
 struct Doc {
     const char* section;
     const char* name;
     const char* unit;
     const char* help;
+    bool is_everyday = false;
 };
 
 inline Key make_key(const Doc& doc, std::string range, const decltype(Key::get)& get,
                     decltype(Key::set) set) {
-    return {
-        {doc.section, doc.name, get(Config{}), doc.unit, std::move(range), doc.help}, get, std::move(set)};
+    ConfigKey key{doc.section,      doc.name, get(Config{}),   doc.unit,
+                  std::move(range), doc.help, doc.is_everyday, {}};
+    for (const RenamedKey& renamed : renamed_keys) {
+        if (renamed.present == key.full_name()) key.earlier_names.emplace_back(renamed.earlier);
+    }
+    return {std::move(key), get, std::move(set)};
 }
 
-/// A number. `place` returns a reference to its member of a Config; `others` are members that always follow
-/// it.
+/// A number. `place` returns a reference to its member of a Config; `others` are members that get the same
+/// value.
 template <class T, class Place, class... Others>
 Key number(const Doc& doc, Range<T> range, Place place, Others... others) {
     return make_key(
@@ -66,7 +75,7 @@ Key number(const Doc& doc, Range<T> range, Place place, Others... others) {
         });
 }
 
-/// A whole number that a word may stand for.
+/// A whole number, or `word` in place of `word_value`.
 template <class Place>
 Key number_or_word(const Doc& doc, Range<int> range, int word_value, const char* word, Place place) {
     const std::string word_text = word;
@@ -80,7 +89,7 @@ Key number_or_word(const Doc& doc, Range<int> range, int word_value, const char*
         });
 }
 
-/// A number the recording knows as well: the word `recorded` leaves it alone.
+/// A number that the recording has as well; the word `recorded` keeps that one.
 template <class Place>
 Key recorded_number(const Doc& doc, Range<double> range, Place place) {
     return make_key(

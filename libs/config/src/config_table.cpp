@@ -1,63 +1,77 @@
 #include "config_key.h"
+#include "flownav/flow/lk_matcher.h"
+#include "flownav/flow/matcher_registry.h"
+#include "registered_name.h"
 
 namespace flownav::config {
 namespace {
 
 Key label() {
-    return make_key({"camera", "camera_label", "", "sensor label of the images in the rawlog"}, "any text",
-                    AT(camera.camera_label), [](Config& config, const std::string& text) {
+    return make_key({"camera", "camera_label", "", "sensor label of the images in the rawlog", everyday},
+                    "any text", AT(camera.camera_label), [](Config& config, const std::string& text) {
                         if (text.empty()) throw BadValue("is empty");
                         config.camera.camera_label = text;
                     });
 }
 
-std::optional<std::array<double, 5>> parse_distortion(const std::string& text) {
-    if (text == "recorded") return std::nullopt;
-    const auto words = words_of(text);
-    std::array<double, 5> numbers{};
-    if (words.size() != numbers.size()) throw BadValue("does not have 5 numbers");
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        numbers[i] = parse_number(words[i], Range<double>{-100, 100});
-    return numbers;
+/// Sets lens and coefficients from "recorded", "k1 k2 p1 p2 k3" or "LENS and 5 numbers".
+void set_distortion(CameraConfig& camera, const std::string& text) {
+    std::string lens = brown_conrady().name();
+    std::optional<LensCoefficients> coefficients;
+    if (text != "recorded") {
+        auto words = words_of(text);
+        if (words.size() == LensCoefficients().size() + 1) {
+            lens = words.front();
+            require_known(lens, lens_names());
+            words.erase(words.begin());
+        }
+        coefficients = LensCoefficients{};
+        if (words.size() != coefficients->size()) throw BadValue("does not have 5 numbers");
+        for (std::size_t i = 0; i < coefficients->size(); ++i)
+            (*coefficients)[i] = parse_number(words[i], Range<double>{-100, 100});
+    }
+    camera.lens = lens;
+    camera.distortion = coefficients;
 }
 
-std::string format_distortion(const std::optional<std::array<double, 5>>& numbers) {
-    if (!numbers) return "recorded";
-    std::string text;
-    for (const double number : *numbers) text += (text.empty() ? "" : " ") + format_number(number);
+std::string format_distortion(const CameraConfig& camera) {
+    if (!camera.distortion) return "recorded";
+    std::string text = camera.lens == brown_conrady().name() ? "" : camera.lens;
+    for (const double number : *camera.distortion) text += (text.empty() ? "" : " ") + format_number(number);
     return text;
 }
 
 Key distortion() {
     return make_key(
         {"camera", "distortion", "", "lens distortion k1 k2 p1 p2 k3, OpenCV's order"},
-        "5 numbers, each -100 .. 100, or recorded",
-        [](const Config& config) { return format_distortion(config.camera.distortion); },
-        [](Config& config, const std::string& text) { config.camera.distortion = parse_distortion(text); });
+        "[lens] and 5 numbers, each -100 .. 100, or recorded; lens: " + listed(lens_names()),
+        [](const Config& config) { return format_distortion(config.camera); },
+        [](Config& config, const std::string& text) { set_distortion(config.camera, text); });
 }
 
 std::vector<Key> camera_keys() {
     return {
         label(),
-        word<Interlaced>(
-            {"camera", "interlaced", "", "whether images are two woven fields, and which is the older"},
-            {{"none", Interlaced::None},
-             {"top_first", Interlaced::TopFirst},
-             {"bottom_first", Interlaced::BottomFirst}},
-            AT(camera.interlaced)),
-        recorded_number({"camera", "height_m", "m", "height of the camera over the ground"}, {0.01, 20},
-                        AT(camera.height_m)),
-        recorded_number({"camera", "pitch_deg", "deg", "how far the camera looks down"}, {-5, 80},
+        word<Interlaced>({"camera", "interlaced", "",
+                          "whether images are two woven fields, and which is the older", everyday},
+                         {{"none", Interlaced::None},
+                          {"top_first", Interlaced::TopFirst},
+                          {"bottom_first", Interlaced::BottomFirst}},
+                         AT(camera.interlaced)),
+        recorded_number({"camera", "height_m", "m", "height of the camera over the ground", everyday},
+                        {0.01, 20}, AT(camera.height_m)),
+        recorded_number({"camera", "pitch_deg", "deg", "how far the camera looks down", everyday}, {-5, 80},
                         AT(camera.pitch_deg)),
-        recorded_number({"camera", "roll_deg", "deg", "tilt of the camera, > 0 to its right"}, {-10, 10},
-                        AT(camera.roll_deg)),
+        recorded_number({"camera", "roll_deg", "deg", "tilt of the camera, > 0 to its right", everyday},
+                        {-10, 10}, AT(camera.roll_deg)),
         recorded_number(
             {"camera", "yaw_deg", "deg", "how far the camera looks to the left of straight ahead"}, {-10, 10},
             AT(camera.yaw_deg)),
-        recorded_number({"camera", "forward_m", "m", "camera ahead of the axis the robot turns about"},
-                        {-10, 10}, AT(camera.forward_m)),
-        recorded_number({"camera", "left_m", "m", "camera beside that axis, > 0 to the left"}, {-10, 10},
-                        AT(camera.left_m)),
+        recorded_number(
+            {"camera", "forward_m", "m", "camera ahead of the axis the robot turns about", everyday},
+            {-10, 10}, AT(camera.forward_m)),
+        recorded_number({"camera", "left_m", "m", "camera beside that axis, > 0 to the left", everyday},
+                        {-10, 10}, AT(camera.left_m)),
         recorded_number({"camera", "fx_px", "px", "focal length across"}, {1, 50000}, AT(camera.fx_px)),
         recorded_number({"camera", "fy_px", "px", "focal length down"}, {1, 50000}, AT(camera.fy_px)),
         recorded_number({"camera", "cx_px", "px", "principal point; the middle of the first pixel is 0"},
@@ -69,11 +83,12 @@ std::vector<Key> camera_keys() {
 }
 
 std::vector<Key> flow_keys() {
+    flow::register_lk_matcher();
     return {
-        word<flow::MatcherKind>(
-            {"flow", "matcher", "", "how vectors are measured: sum of absolute differences, or Lucas-Kanade"},
-            {{"sad", flow::MatcherKind::Sad}, {"lk", flow::MatcherKind::Lk}}, AT(pipeline.flow.matcher)),
-        number<int>({"flow", "blocks", "", "blocks placed in the image"}, {16, 2000},
+        registered_name({"flow", "matcher", "",
+                         "how vectors are measured: sum of absolute differences, or Lucas-Kanade", everyday},
+                        flow::matcher_names, AT(pipeline.flow.matcher)),
+        number<int>({"flow", "blocks", "", "blocks placed in the image", everyday}, {16, 2000},
                     AT(pipeline.flow.blocks)),
         word<flow::Subpixel>(
             {"flow", "subpixel", "", "refinement of a match: integer, two lines, or a parabola"},
@@ -88,9 +103,10 @@ std::vector<Key> flow_keys() {
             AT(pipeline.flow.brightness)),
         number<double>({"flow", "confidence_min", "", "matches less distinct than this are left out"}, {0, 1},
                        AT(pipeline.flow.confidence_min)),
-        number<double>({"flow", "blind_cone", "",
-                        "no blocks nearer than this to the point the robot drives to; focal length = 1"},
-                       {0, 1}, AT(pipeline.flow.focus_exclusion)),
+        number<double>(
+            {"flow", "focus_exclusion", "",
+             "no blocks nearer than this to the point the robot drives to; focal length = 1", everyday},
+            {0, 1}, AT(pipeline.flow.focus_exclusion)),
     };
 }
 
@@ -105,11 +121,12 @@ std::vector<Key> motion_keys() {
             AT(pipeline.motion.model)),
         word<bool>({"motion", "pitch_online", "", "learn the camera's true pitch while driving"},
                    {{"true", true}, {"false", false}}, AT(pipeline.pitch_online)),
-        number_or_word(
-            {"motion", "cycle_images", "", "images compared with one reference; auto: from the speed"},
-            {1, 16}, 0, "auto", AT(pipeline.rate.cycle_images)),
-        number<double>({"motion", "travel_m", "m", "travel per cycle that cycle_images = auto aims at"},
-                       {0.001, 10}, AT(pipeline.rate.travel_m)),
+        number_or_word({"motion", "cycle_images", "",
+                        "images compared with one reference; auto: from the speed", everyday},
+                       {1, 16}, 0, "auto", AT(pipeline.rate.cycle_images)),
+        number<double>(
+            {"motion", "travel_m", "m", "travel per cycle that cycle_images = auto aims at", everyday},
+            {0.001, 10}, AT(pipeline.rate.travel_m)),
         number<double>({"motion", "gap_max_s", "s", "a longer pause between images starts afresh"},
                        {0.01, 60}, AT(pipeline.rate.gap_max_s)),
         number<double>({"motion", "carry_max_s", "s",
@@ -120,18 +137,19 @@ std::vector<Key> motion_keys() {
 
 std::vector<Key> obstacle_keys() {
     return {
-        number<double>(
-            {"obstacles", "tau_px", "px", "a vector this much longer than the ground's is an obstacle"},
-            {0, 20}, AT(pipeline.obstacles.tau_px)),
-        number<double>(
-            {"obstacles", "lambda_px", "px", "vectors farther from their line of motion are left out"},
-            {0.05, 20}, AT(pipeline.obstacles.lambda_px), AT(pipeline.motion.lambda_px)),
+        number<double>({"obstacles", "tau_px", "px",
+                        "a vector this much longer than the ground's is an obstacle", everyday},
+                       {0, 20}, AT(pipeline.obstacles.tau_px)),
+        number<double>({"obstacles", "lambda_px", "px",
+                        "vectors farther from their line of motion are left out", everyday},
+                       {0.05, 20}, AT(pipeline.obstacles.lambda_px), AT(pipeline.motion.lambda_px)),
         number<int>({"obstacles", "neighbours", "", "neighbouring blocks that must agree with an obstacle"},
                     {0, 16}, AT(pipeline.obstacles.neighbours)),
-        number<double>({"obstacles", "range_max_m", "m", "points farther away are not reported"}, {0.1, 200},
-                       AT(pipeline.obstacles.range_max_m)),
-        number<double>({"obstacles", "height_max_m", "m", "points higher above the ground are not reported"},
-                       {0.01, 20}, AT(pipeline.obstacles.height_max_m)),
+        number<double>({"obstacles", "range_max_m", "m", "points farther away are not reported", everyday},
+                       {0.1, 200}, AT(pipeline.obstacles.range_max_m)),
+        number<double>(
+            {"obstacles", "height_max_m", "m", "points higher above the ground are not reported", everyday},
+            {0.01, 20}, AT(pipeline.obstacles.height_max_m)),
         number<double>({"obstacles", "beam_deg", "deg", "width of one beam of the virtual scan"}, {0.1, 45},
                        AT(pipeline.obstacles.beam_deg)),
     };
@@ -139,11 +157,40 @@ std::vector<Key> obstacle_keys() {
 
 std::vector<Key> map_keys() {
     return {
-        number<double>({"map", "resolution_m", "m", "edge of a cell"}, {0.02, 2}, AT(map.resolution_m)),
-        number<double>({"map", "size_m", "m", "edge of the local map, the robot in its middle"}, {2, 100},
-                       AT(map.size_m)),
-        number<double>({"map", "memory_s", "s", "the local map forgets what is older"}, {0.01, 3600},
-                       AT(map.memory_s)),
+        number<double>({"map", "resolution_m", "m", "edge of a cell", everyday}, {0.02, 2},
+                       AT(map.resolution_m)),
+        number<double>({"map", "size_m", "m", "edge of the local map, the robot in its middle", everyday},
+                       {2, 100}, AT(map.size_m)),
+        number<double>({"map", "memory_s", "s", "the local map forgets what is older", everyday},
+                       {0.01, 3600}, AT(map.memory_s)),
+        number<double>({"map", "obstacle_below", "",
+                        "local navigators: a cell less likely free than this is an obstacle"},
+                       {0.05, 0.49}, AT(map.occupancy.obstacle_below)),
+        number<double>({"map", "doubtful_below", "",
+                        "local navigators: a cell less likely free than this may be an obstacle"},
+                       {0.05, 0.49}, AT(map.occupancy.doubtful_below)),
+        number<double>(
+            {"map", "seen_above", "", "local navigators: ground more likely free than this was seen"},
+            {0.51, 0.95}, AT(map.occupancy.seen_above)),
+        number<double>(
+            {"map", "guard_obstacle_below", "", "guard: a cell less likely free than this is an obstacle"},
+            {0.05, 0.49}, AT(map.occupancy.guard_obstacle_below)),
+        number<double>(
+            {"map", "guard_free_above", "", "guard: ground more likely free than this was seen to be free"},
+            {0.51, 0.95}, AT(map.occupancy.guard_free_above)),
+        number<double>(
+            {"map", "plan_obstacle_below", "", "planner: a cell less likely free than this is an obstacle"},
+            {0.05, 0.49}, AT(map.occupancy.plan_obstacle_below)),
+        number<double>(
+            {"map", "plan_certain_below", "", "planner without another way: only such a cell is an obstacle"},
+            {0.05, 0.49}, AT(map.occupancy.plan_certain_below)),
+        number<double>({"map", "backing_free_above", "", "ground at least so likely free may be backed over"},
+                       {0.51, 0.95}, AT(map.occupancy.backing_free_above)),
+        number<double>(
+            {"map", "export_occupied_below", "", "map.pgm: a cell less likely free than this is occupied"},
+            {0.05, 0.49}, AT(map.occupancy.export_occupied_below)),
+        number<double>({"map", "export_free_above", "", "map.pgm: a cell more likely free than this is free"},
+                       {0.51, 0.95}, AT(map.occupancy.export_free_above)),
     };
 }
 
@@ -152,8 +199,8 @@ std::vector<Key> map_keys() {
 const std::vector<Key>& key_table() {
     static const std::vector<Key> table = [] {
         std::vector<Key> all;
-        for (const auto& keys :
-             {camera_keys(), flow_keys(), motion_keys(), obstacle_keys(), map_keys(), navigation_keys()})
+        for (const auto& keys : {camera_keys(), flow_keys(), motion_keys(), obstacle_keys(), map_keys(),
+                                 navigation_keys(), guard_keys()})
             all.insert(all.end(), keys.begin(), keys.end());
         return all;
     }();

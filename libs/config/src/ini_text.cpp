@@ -58,7 +58,7 @@ std::string strip_byte_order_mark(const std::string& text) {
     return starts_with(text, "\xEF\xBB\xBF") ? text.substr(3) : text;
 }
 
-/// Reads the lines of an ini one by one and keeps what their order means.
+/// Reads the lines of an ini one by one and keeps their section.
 class Scanner {
   public:
     Scanner(std::string file, const std::string& expanded) : file_(std::move(file)), values_(expanded) {}
@@ -87,7 +87,8 @@ class Scanner {
         if (equals == std::string::npos || name.empty() || line[0] == '@')
             fail(file_, number, "malformed line, expected [section], name = value or a comment: " + line);
         if (section_.empty()) fail(file_, number, "key " + name + " stands before the first [section]");
-        const auto [earlier, is_new] = lines_.emplace(lowerCase(section_ + "." + name), number);
+        const auto [earlier, is_new] =
+            lines_.emplace(lowerCase(present_setting({section_ + "." + name, ""}).key), number);
         if (!is_new) {
             fail(file_, number,
                  "key " + section_ + "." + name + " is set a second time; first in line " +
@@ -99,7 +100,8 @@ class Scanner {
     std::string file_;
     mrpt::config::CConfigFileMemory values_;
     std::string section_;
-    std::map<std::string, int> lines_;  ///< where each key was set; MRPT is blind to upper and lower case
+    std::map<std::string, int>
+        lines_;  ///< line of each key, by its present name in lower case, as MRPT compares
 };
 
 }  // namespace

@@ -1,14 +1,13 @@
 #include "flownav/config/make_state.h"
 
 #include "flownav/flow/lk_matcher.h"
+#include "flownav/flow/matcher_registry.h"
 
 namespace flownav::config {
 
 flow::Matcher make_matcher(const pipeline::Params& params) {
-    if (params.flow.matcher == flow::MatcherKind::Sad) return flow::BlockMatcher(params.flow, params.threads);
-    flow::LkSettings settings;
-    settings.brightness = params.flow.brightness;
-    return flow::LkMatcher(settings);
+    flow::register_lk_matcher();
+    return flow::make_matcher(params.flow.matcher, params.flow, params.threads);
 }
 
 pipeline::State make_state(const Config& config) {

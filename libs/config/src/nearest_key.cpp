@@ -7,7 +7,7 @@
 namespace flownav::config {
 
 const Key& nearest_key(const std::string& section, const std::string& name) {
-    // A key in the wrong section is likelier than two slips of the finger: names first, section on ties.
+    // The name decides, the section breaks ties: keys are often given in the wrong section.
     const auto distance = [&](const Key& key) {
         return 4 * edit_distance(name, key.doc.name) +
                std::min<std::size_t>(3, edit_distance(section, key.doc.section));

@@ -5,7 +5,7 @@
 
 namespace flownav::config {
 
-/// The known key that `section.name` was most likely meant to be; the first of the table on ties.
+/// The known key with the most similar name, then the most similar section; the first of the table on ties.
 const Key& nearest_key(const std::string& section, const std::string& name);
 
 }  // namespace flownav::config

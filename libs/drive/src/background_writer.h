@@ -10,25 +10,25 @@
 
 namespace flownav::drive {
 
-/// Does one job after the other in a thread of its own. After a job that throws, the others are dropped.
+/// Runs jobs in order in its own thread. After a job that throws, all later jobs are dropped.
 class BackgroundWriter {
   public:
     using Job = std::function<void()>;
 
     BackgroundWriter();
-    /// Does what still waits.
+    /// Runs the waiting jobs, then ends the thread.
     ~BackgroundWriter();
     BackgroundWriter(const BackgroundWriter&) = delete;
     BackgroundWriter& operator=(const BackgroundWriter&) = delete;
 
     /// Adds a job.
     void push(Job job);
-    /// Adds a job unless `most` are waiting; false: it was not added.
+    /// Adds a job unless `most` are waiting. Returns false when it was not added.
     bool push_if_fewer(Job job, std::size_t most);
-    /// Adds a job when fewer than `most` are waiting, and waits until then.
+    /// Waits until fewer than `most` jobs are waiting, then adds the job.
     void push_when_fewer(Job job, std::size_t most);
 
-    /// Does what still waits and ends the thread. Throws what a job threw.
+    /// Runs the waiting jobs and ends the thread. Rethrows the first exception of a job.
     void finish();
 
   private:
@@ -40,7 +40,7 @@ class BackgroundWriter {
     std::deque<Job> jobs_;
     std::exception_ptr failure_;
     bool ends_ = false;
-    std::thread thread_;  ///< last: starts when all else is there
+    std::thread thread_;  ///< last: starts when all other members exist
 };
 
 }  // namespace flownav::drive

@@ -11,7 +11,7 @@
 namespace flownav::drive {
 namespace {
 
-constexpr double nap_s = 0.05;  // the thread looks this often whether it is to end
+constexpr double nap_s = 0.05;  // interval at which the thread checks for its end
 
 bool is_recording(const io::ProducerSettings& settings) {
     const bool stream =
@@ -77,7 +77,8 @@ void CameraThread::read_fields() {
     }
 }
 
-/// The age of an image by the system's clock, which stamped it, is its age by any clock.
+/// Converts the time stamp of an image to the clock of the drive: a live image is stamped by the system
+/// clock.
 double CameraThread::clock_time_s(double timestamp_s) {
     if (!recorded_) return clock_.from_system_s(timestamp_s);
     if (!recording_began_) recording_began_ = clock_.now_s() - timestamp_s;

@@ -12,32 +12,31 @@
 namespace flownav::drive {
 namespace {
 
-constexpr double ahead_s = 0.1;  // by which a time stamp may be later than now
-
 nav::RecoveryManager make_recovery_manager(const DriveOptions& options) {
     const NavigationParams& navigation = options.config.navigation;
     nav::NavigatorOptions navigator;
-    navigator.kind = navigation.navigator;
     navigator.robot = navigation.robot;
     navigator.period_s = navigation.controller_period_s;
     navigator.map_size_m = options.config.map.size_m;
     navigator.resolution_m = options.config.map.resolution_m;
+    navigator.lanes.limits = options.config.map.occupancy;
     navigator.navlog_dir = options.navlog_directory;
+    nav::RecoveryParams recovery = options.config.recovery;
+    recovery.limits = options.config.map.occupancy;
     if (options.waypoint_robot_m)
-        return {navigation.robot, nav::make_navigator(navigator), *options.waypoint_robot_m};
-    nav::RecoveryParams recovery;
-    recovery.plan = navigation.plan;
-    recovery.goal_radius_m = navigation.goal_radius_m;
-    return {navigation.robot, recovery, nav::make_navigator(navigator), options.goals_m};
+        return {navigation.robot, recovery, nav::make_navigator(navigation.navigator, navigator),
+                *options.waypoint_robot_m};
+    return {navigation.robot, recovery, nav::make_navigator(navigation.navigator, navigator),
+            options.goals_m};
 }
 
-/// Calls `stop`; a base that is lost stops by itself.
+/// Calls `stop` and ignores exceptions: a lost base stops by itself.
 template <class Stop>
 void quietly(const Stop& stop) {
     try {
         stop();
     } catch (const std::exception&) {
-        // Nothing is left to be told.
+        // The drive is already over.
     }
 }
 
@@ -57,8 +56,8 @@ class Loop {
         : options_(options),
           robot_(robot),
           observer_(observer),
-          stack_(options.config.navigation, options.config.map, options.guard, make_recovery_manager(options),
-                 options.start) {
+          stack_(options.config.navigation, options.config.map, options.config.guard,
+                 make_recovery_manager(options), options.start) {
         result_.min_clearance_m = std::numeric_limits<double>::infinity();
     }
 
@@ -93,8 +92,9 @@ class Loop {
     }
 
     void control(double now_s) {
-        // What is no number, or comes from the future, is left out: the guard hears the silence.
-        const double latest_s = now_s + ahead_s;
+        // Readings that are not finite or have a future time stamp are dropped; the guard treats them as
+        // missing.
+        const double latest_s = now_s + options_.config.guard.sensor.ahead_s;
         const auto reading = robot_.base.odometry();
         if (reading && is_finite(*reading) && reading->time_s <= latest_s) {
             wheels_ = *reading;
@@ -153,7 +153,7 @@ class Loop {
         }
     }
 
-    /// A witness decides, where there is one; the robot's own belief otherwise.
+    /// By ground truth when there is a witness, by the estimated pose otherwise.
     bool is_at_goal() const {
         if (robot_.witness) return truth_.at_goal;
         return stack_.decision().state == nav::RecoveryState::Arrived;
@@ -170,8 +170,8 @@ class Loop {
     DriveObserver& observer_;
     nav::NavigationStack stack_;
     double began_s_ = 0.0;
-    nav::WheelReading wheels_;  ///< the newest
-    Pose2 last_;                ///< of the way
+    nav::WheelReading wheels_;  ///< newest reading
+    Pose2 last_;                ///< previous pose, for path_m
     Witness::Truth truth_;
     bool over_ = false;
     DriveResult result_;

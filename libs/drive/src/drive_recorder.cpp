@@ -12,7 +12,7 @@
 namespace flownav::drive {
 namespace {
 
-constexpr std::size_t waiting_max = 100;  // jobs: some seconds of images
+constexpr std::size_t waiting_max = 100;  // limit of waiting jobs, a few seconds of images
 
 std::string columns(const Pose2& pose) {
     return cli::fixed_text(pose.x_m, 4) + ',' + cli::fixed_text(pose.y_m, 4) + ',' +
@@ -38,7 +38,7 @@ struct DriveRecorder::Impl {
     std::optional<io::DriveRecording> rawlog;
     std::optional<io::OutputFile> csv;
     std::atomic<int> fields_left_out{0};
-    BackgroundWriter writer;  ///< last: ends before the files do
+    BackgroundWriter writer;  ///< last: ends before the files are closed
 };
 
 DriveRecorder::DriveRecorder(const DriveRecorderOptions& options) : impl_(std::make_unique<Impl>(options)) {}

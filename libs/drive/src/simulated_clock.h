@@ -10,10 +10,11 @@
 
 namespace flownav::drive {
 
-/// Time that passes when somebody waits. MRPT's clock shows it, `epoch_s` later, as long as this lives.
+/// A clock that advances only in wait_until_s(). Sets MRPT's clock to this time plus `epoch_s` during its
+/// lifetime.
 class SimulatedClock : public Clock {
   public:
-    /// `realtime`: waiting takes its time.
+    /// `realtime`: waiting also takes real time.
     SimulatedClock(double epoch_s, bool realtime) : epoch_s_(epoch_s), realtime_(realtime) {
         mrpt::Clock::setActiveClock(mrpt::Clock::Simulated);
         show();

@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 
 constexpr double epoch_s = sim::sim_start_s;
 
-/// A scan of the ideal lidar as the maps take it: points, and free ground before them.
+/// Converts a scan of the ideal lidar to map input: points, and the free ground in front of them.
 nav::SensorUpdate update(const VirtualScan& scan, const sim::LidarParams& lidar, double time_s) {
     nav::SensorUpdate update;
     update.report.timestamp_s = time_s;
@@ -39,7 +39,7 @@ nav::SensorUpdate update(const VirtualScan& scan, const sim::LidarParams& lidar,
     return update;
 }
 
-/// The simulated robot: its wheels, its sensor, and what is true of it. Times are seconds since the start.
+/// The simulated robot: wheels, sensor and ground truth. Times are seconds since the start.
 class SimulatedRobot : public nav::RobotBase, public SensorFeed, public Witness {
   public:
     SimulatedRobot(const SimulatedDriveOptions& options, const Clock& clock, DriveObserver& observer)
@@ -52,7 +52,7 @@ class SimulatedRobot : public nav::RobotBase, public SensorFeed, public Witness 
         if (options.sensor == SensorKind::Flow) camera_.emplace(options.world, options.camera);
     }
 
-    /// The sensor is read first: fields are older than now.
+    /// Reads the sensor before it advances the vehicle, because fields are older than the current time.
     std::optional<nav::WheelReading> odometry() override {
         const double now_s = clock_.now_s();
         if (options_.sensor == SensorKind::Flow) {
@@ -128,7 +128,7 @@ class SimulatedRobot : public nav::RobotBase, public SensorFeed, public Witness 
         arriving_.push_back({time_s + options_.latency_s + more_s, std::move(update)});
     }
 
-    /// Way points before the goal are the recovery manager's business.
+    /// True only at the final goal; the recovery manager handles way points before it.
     bool is_at_goal(bool last_goal) const {
         if (options_.goals_m.empty() || options_.waypoint_robot_m) return false;
         const Vector2d at(vehicle_.pose().x_m, vehicle_.pose().y_m);
@@ -145,10 +145,10 @@ class SimulatedRobot : public nav::RobotBase, public SensorFeed, public Witness 
     pipeline::RepeatedImages images_;
     pipeline::State state_;
     std::deque<Arriving> arriving_;
-    int field_ = 0;  ///< the next one, or the next scan
+    int field_ = 0;  ///< index of the next field or scan
 };
 
-/// Odometry is recorded with the same epoch as the fields.
+/// Adds the epoch of the fields to the times of recorded odometry.
 class WithEpoch : public DriveObserver {
   public:
     explicit WithEpoch(DriveObserver& observer) : observer_(observer) {}
@@ -170,7 +170,7 @@ class WithEpoch : public DriveObserver {
 
 DriveResult simulate_drive(const SimulatedDriveOptions& options, DriveObserver& observer) {
     SimulatedDriveOptions driving = options;
-    driving.guard.needs_fields = options.sensor == SensorKind::Flow;
+    driving.config.guard.needs_fields = options.sensor == SensorKind::Flow;
     driving.hung_s = 0.0;
     SimulatedClock clock(epoch_s, options.realtime);
     SimulatedRobot robot(driving, clock, observer);

@@ -12,13 +12,13 @@ namespace {
 
 constexpr std::size_t most_pairs = 1200;
 
-/// A pitch that changes on the way is of no use here.
+/// Switches the online estimate of the pitch off: a calibration needs a constant pitch.
 config::Config without_learning(config::Config config) {
     config.pipeline.pitch_online = false;
     return config;
 }
 
-/// Keeps what is needed of the steps.
+/// Collects the pairs of a drive.
 class Collector {
   public:
     explicit Collector(const config::Config& config) : state_(config::make_state(without_learning(config))) {}
@@ -31,7 +31,8 @@ class Collector {
         }
         drive.duration_s = field.timestamp_s - first_s_;
         const bool compared = step.image_of_cycle > 0 && step.status != FieldStatus::BadField;
-        // Both halves of a vector's pixel shall be met, so images of all but the shortest ways are used.
+        // Uses the images of the second half of each cycle, so that vectors have different fractions of a
+        // pixel.
         if (compared && 2 * step.image_of_cycle >= step.cycle_images && offered_++ % stride_ == 0)
             keep(field, step);
         if (step.end_of_cycle) {

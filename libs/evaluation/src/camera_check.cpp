@@ -4,34 +4,35 @@
 #include <cmath>
 
 #include "flownav/cli/number_text.h"
+#include "flownav/math/units.h"
 
 namespace flownav::evaluation {
 namespace {
 
-constexpr double deg = M_PI / 180;
 constexpr int pairs_min = 16;
 constexpr int settling_pairs = 4;
 constexpr double sigma_max_deg = 1.0;
-constexpr double agreeing_min = 0.65;  // of the near vectors; below, it is no plain floor
+constexpr double agreeing_min = 0.65;  // share of the near vectors; below, the floor is not plane or not free
 constexpr double matching_sigma_deg = 0.1;
-constexpr double significant = 4.0;  // deviations
+constexpr double significant = 4.0;  // standard deviations
 constexpr double ratio_sigma_max = 0.1;
-constexpr double by_pitch_low = 0.4, by_pitch_high = 2.5;
-constexpr double pitch_at_max_rad = 15 * deg;
-constexpr double unit_tolerance = 0.25;  // a height in centimetres is wrong by a factor of 100, more or less
+constexpr double ratio_by_pitch_min = 0.4, ratio_by_pitch_max = 2.5;
+constexpr double pitch_at_max_rad = 15 * degree_rad;
+constexpr double unit_tolerance = 0.25;  // of log(ratio * 100), to detect a height in centimetres
 
 constexpr const char* advice = "; flownav-calibrate estimates it from this drive";
 
 void check_angle(CameraCheck& check, int i, const char* key, double assumed_rad) {
-    const double error_deg = check.angles.correction_rad[i] / deg;
-    const double sigma_deg = check.angles.sigma_rad[i] / deg;
+    const double error_deg = check.angles.correction_rad[i] / degree_rad;
+    const double sigma_deg = check.angles.sigma_rad[i] / degree_rad;
     if (sigma_deg > sigma_max_deg || std::abs(error_deg) < CameraCheck::angle_limit_deg ||
         std::abs(error_deg) < significant * sigma_deg)
         return;
     check.verdict = "pose_contradicts_flow";
-    check.warnings.push_back("camera." + std::string(key) + " = " + cli::fixed_text(assumed_rad / deg, 2) +
+    check.warnings.push_back("camera." + std::string(key) + " = " +
+                             cli::fixed_text(assumed_rad / degree_rad, 2) +
                              " contradicts the flow of the floor, which looks like " +
-                             cli::fixed_text(assumed_rad / deg + error_deg, 1) + " (uncertainty " +
+                             cli::fixed_text(assumed_rad / degree_rad + error_deg, 1) + " (uncertainty " +
                              cli::fixed_text(std::max(sigma_deg, matching_sigma_deg), 1) + ")" + advice);
 }
 
@@ -40,8 +41,8 @@ void check_height(CameraCheck& check) {
     if (check.scale->sigma > ratio_sigma_max * ratio ||
         (ratio > CameraCheck::ratio_low && ratio < CameraCheck::ratio_high))
         return;
-    // A wrong pitch changes distances too.
-    if (!check.warnings.empty() && ratio > by_pitch_low && ratio < by_pitch_high) return;
+    // A wrong pitch changes the ratio as well.
+    if (!check.warnings.empty() && ratio > ratio_by_pitch_min && ratio < ratio_by_pitch_max) return;
     if (check.warnings.empty()) check.verdict = "height_contradicts_odometry";
     const bool centimetres = std::abs(std::log(ratio * 100)) < unit_tolerance;
     check.warnings.push_back(
@@ -83,7 +84,7 @@ CameraCheck CameraChecker::result(const PoseTrack& odometry) const {
     check.angles = sum_.solution();
     check.agreeing = near_vectors_ > 0 ? close_vectors_ / near_vectors_ : 0.0;
     check.angles_known = check.pairs >= pairs_min && check.agreeing >= agreeing_min &&
-                         check.angles.sigma_rad[0] < sigma_max_deg * deg;
+                         check.angles.sigma_rad[0] < sigma_max_deg * degree_rad;
     if (check.angles_known) {
         check.verdict = "consistent";
         check_angle(check, 0, "pitch_deg", mount_.pitch_rad);

@@ -58,9 +58,9 @@ CarriedTime carried_time(const std::vector<FieldRow>& rows) {
 
 std::string carried_warning(const CarriedTime& carried, double carry_max_s) {
     constexpr double share_max = 0.02;
-    constexpr double worth_a_word_s = 0.5;
-    const double usual_s = std::max(worth_a_word_s, share_max * carried.duration_s);
-    if (carried.total_s <= usual_s && carried.longest_s <= carry_max_s) return "";
+    constexpr double reported_min_s = 0.5;
+    const double unreported_max_s = std::max(reported_min_s, share_max * carried.duration_s);
+    if (carried.total_s <= unreported_max_s && carried.longest_s <= carry_max_s) return "";
     return "the motion could not be measured during " + cli::fixed_text(carried.total_s, 1) + " s of " +
            cli::fixed_text(carried.duration_s, 1) + " s, for " + cli::fixed_text(carried.longest_s, 1) +
            " s at a stretch: the pose was carried over for up to " + cli::fixed_text(carry_max_s, 1) +

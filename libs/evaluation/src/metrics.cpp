@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "flownav/math/units.h"
+
 namespace flownav::evaluation {
 
 namespace {
@@ -9,15 +11,11 @@ namespace {
 constexpr double slowest_compared_mps = 0.05;
 constexpr double shortest_path_m = 0.01;
 
-double to_deg(double angle_rad) {
-    return angle_rad * 180.0 / M_PI;
-}
-
 Pose2 between(const Pose2& a, const Pose2& b) {
     return compose(inverse(a), b);
 }
 
-/// Length of the way from a to b, negative when it leads backwards.
+/// Distance from a to b, negative when b lies behind a.
 double signed_chord(const Pose2& a, const Pose2& b) {
     const Pose2 step = between(a, b);
     return std::copysign(std::hypot(step.x_m, step.y_m), step.x_m);
@@ -38,7 +36,8 @@ struct Moments {
     double deviation() const { return std::sqrt(std::max(0.0, rms() * rms() - mean() * mean())); }
 };
 
-/// Feeds on one field after the other; `truth` is the other track's pose at the field's time, if it has one.
+/// Compares flow odometry with another track field by field. `truth`: the track's pose at the field's time;
+/// empty outside its span.
 class Comparison {
   public:
     void add(const FieldRow& row, const std::optional<Pose2>& truth) {
@@ -86,7 +85,7 @@ class Comparison {
         if (!previous_truth_) return;
         const double dt_s = row.timestamp_s - previous_s_;
         const double truth_radps = wrap_angle(truth.yaw_rad - previous_truth_->yaw_rad) / dt_s;
-        const double error_degps = to_deg(row.omega_radps - truth_radps);
+        const double error_degps = deg(row.omega_radps - truth_radps);
         omega_degps_.add(error_degps);
         cycle_degps_.add(error_degps);
     }
@@ -117,7 +116,7 @@ class Comparison {
     void compare_ends(Errors& errors) const {
         const Pose2 flow = between(first_.flow, last_.flow);
         const Pose2 truth = between(first_.truth, last_.truth);
-        errors.heading_end_deg = to_deg(wrap_angle(flow.yaw_rad - truth.yaw_rad));
+        errors.heading_end_deg = deg(wrap_angle(flow.yaw_rad - truth.yaw_rad));
         if (path_m_ < shortest_path_m) return;
         errors.end_position_percent =
             100.0 * std::hypot(flow.x_m - truth.x_m, flow.y_m - truth.y_m) / path_m_;

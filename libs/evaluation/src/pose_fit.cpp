@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flownav/math/units.h"
 #include "flownav/motion/ray_flow.h"
 #include "flownav/motion/robust.h"
 
 namespace flownav::evaluation {
 namespace {
 
-constexpr double deg = M_PI / 180;
 constexpr int rounds_max = 25;
 constexpr double settled_rad = 1e-5;
-constexpr double step_max_rad = 4 * deg;  // the equations are linear only so far
-constexpr double steadiness_min_rad = 0.002 * deg;
+constexpr double step_max_rad = 4 * degree_rad;  // largest step, in which the equations are about linear
+constexpr double sigma_min_rad = 0.002 * degree_rad;
 constexpr int groups_wanted = 20;
 constexpr int scale_pairs_min = 8;
 constexpr double travel_min_m = 0.01;
@@ -55,14 +55,16 @@ SeenPair seen(const CalibrationPair& pair, const motion::MountAngles& correction
 
 namespace {
 
-/// Deviation about the middle: a camera that is wrong makes a constant pitch of constant travel.
-double steadiness_of(std::vector<double>& turns_rad) {
+/// Robust deviation about the centre, which is removed because a wrong mount causes a constant pitch at
+/// constant travel.
+double robust_sigma_rad(std::vector<double>& turns_rad) {
     const double centre = motion::shorth(turns_rad);
     for (double& t : turns_rad) t -= centre;
-    return std::max(motion::robust_deviation(turns_rad), steadiness_min_rad);
+    return std::max(motion::robust_deviation(turns_rad), sigma_min_rad);
 }
 
-/// One Gauss-Newton step. `pitches` and `rolls` become those of the pairs.
+/// Makes one Gauss-Newton step and returns its size in rad. Fills `pitches` and `rolls` with the values of
+/// the pairs.
 double improve(const std::vector<CalibrationPair>& pairs, const motion::AngleMask& unknown, AnglesFit& fit,
                std::vector<double>& pitches, std::vector<double>& rolls) {
     motion::PoseScratch scratch;
@@ -103,7 +105,7 @@ AnglesFit fit_angles(const std::vector<CalibrationPair>& pairs, const motion::Mo
         fit.settled = false;
         for (int round = 0; round < rounds_max && !fit.settled; ++round)
             fit.settled = improve(pairs, unknown, fit, pitches, rolls) < settled_rad;
-        if (!last) fit.pitch_prior = {steadiness_of(pitches), steadiness_of(rolls)};
+        if (!last) fit.pitch_prior = {robust_sigma_rad(pitches), robust_sigma_rad(rolls)};
     }
     return fit;
 }

@@ -1,13 +1,12 @@
 #include "flownav/evaluation/summary.h"
 
-#include <mrpt/config/CConfigFileMemory.h>
-
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include "flownav/core/version.h"
 #include "flownav/evaluation/summary_facts.h"
+#include "flownav/math/units.h"
 
 namespace flownav::evaluation {
 
@@ -17,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_stretches = 250;
 
-/// Six decimals, as in the CSV files.
+/// Rounds to six decimals, as in the CSV files; null when not finite.
 Json rounded(double value) {
     if (!std::isfinite(value)) return nullptr;
     return std::round(value * 1e6) / 1e6 + 0.0;  // + 0.0 turns -0 into 0
@@ -80,7 +79,7 @@ Json drive_part(const std::vector<FieldRow>& rows) {
             {"path_m", rounded(path_m)},
             {"end_x_m", rounded(end.x_m)},
             {"end_y_m", rounded(end.y_m)},
-            {"end_heading_deg", rounded(end.yaw_rad * 180.0 / M_PI)},
+            {"end_heading_deg", rounded(deg(end.yaw_rad))},
             {"carried_s", rounded(carried.total_s)},
             {"carried_longest_s", rounded(carried.longest_s)},
             {"carried_sigma_m", rounded(carried.sigma_m)}};
@@ -98,7 +97,7 @@ Json errors_part(const std::optional<Errors>& errors) {
 
 Json camera_check_part(const CameraCheck& check) {
     const auto angle = [&check](const motion::MountAngles& angles, int i) {
-        return check.angles_known ? rounded(angles[i] * 180.0 / M_PI) : Json(nullptr);
+        return check.angles_known ? rounded(deg(angles[i])) : Json(nullptr);
     };
     Json part = {
         {"verdict", check.verdict}, {"pairs", check.pairs}, {"agreeing_share", rounded(check.agreeing)}};
@@ -115,15 +114,14 @@ Json camera_check_part(const CameraCheck& check) {
 }
 
 Json config_part(const config::Config& config) {
-    const mrpt::config::CConfigFileMemory ini(config::dump_config(config));
     Json part = Json::object();
     for (const config::ConfigKey& key : config::config_keys()) {
-        part[key.section][key.name] = ini.read_string(key.section, key.name, key.default_value);
+        part[key.section][key.name] = config::config_value(config, key.full_name());
     }
     return part;
 }
 
-/// Milliseconds a field, as means over at most `most_stretches` stretches of the drive.
+/// Milliseconds per field, as means over at most `most_stretches` stretches of the drive.
 Json times_per_field(const std::vector<FieldTimes>& fields) {
     const std::size_t stretches = std::min(most_stretches, fields.size());
     Json times = {{"t_s", Json::array()}};
@@ -186,10 +184,10 @@ std::string summary_json(const Drive& drive, const config::Config& config, const
     summary["timing"] = timing_facts(timing);
     const std::string mark = "times per field";
     const Json per_field = std::exchange(summary["timing"]["per_field"], mark);
-    // A file's name may hold bytes that are no UTF-8: they are replaced, the file is written all the same.
+    // Bytes of a file name that are not UTF-8 are replaced.
     std::string text = summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
     const auto at = text.rfind('"' + mark + '"');                // the timing comes last
-    return text.replace(at, mark.size() + 2, per_field.dump());  // lists of numbers in one line
+    return text.replace(at, mark.size() + 2, per_field.dump());  // writes the lists of numbers in one line
 }
 
 }  // namespace flownav::evaluation

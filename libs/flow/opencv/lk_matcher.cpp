@@ -7,6 +7,7 @@
 
 #include "flownav/flow/block_bounds.h"
 #include "flownav/flow/match_blocks.h"
+#include "flownav/flow/matcher_registry.h"
 
 namespace flownav::flow {
 namespace {
@@ -17,13 +18,13 @@ using Pyramid = std::vector<cv::Mat>;  // image, its derivatives, half the image
 constexpr int iterations_max = 30;
 constexpr double step_min_px = 0.01;
 
-// Of sigma_of().
-constexpr double derivative_gain = 4 * 32.0;  // of four of OpenCV's Scharr filters added up
-constexpr double noise_slope2 = 0.2;    // squared slope that noise feigns, in squared residuals, a pixel
-constexpr double true_share_min = 0.2;  // of the slopes; where noise is nearly all, the start decides
+// Constants of sigma_of().
+constexpr double derivative_gain = 4 * 32.0;  // of the sum of four of OpenCV's Scharr filters
+constexpr double noise_slope2 = 0.2;          // squared slope per pixel caused by noise, in squared residuals
+constexpr double true_share_min = 0.2;        // smallest share of the slopes that counts as texture
 constexpr double sigma_floor_px = 0.03;
 
-/// Where points went, and how well they fit there.
+/// New positions of points, and their residuals there.
 struct Tracks {
     Points to;
     std::vector<std::uint8_t> found;
@@ -34,7 +35,7 @@ struct RoundTrip {
     Tracks there, back;
 };
 
-/// OpenCV knows no read-only images; nothing writes to this one.
+/// cv::Mat has no const view; the result must only be read.
 cv::Mat view_of(const ImageView& image) {
     return {image.height_px, image.width_px, CV_8UC1, const_cast<std::uint8_t*>(image.data),
             static_cast<std::size_t>(image.stride_bytes)};
@@ -44,7 +45,7 @@ cv::Point2f to_cv(const Eigen::Vector2d& point) {
     return cv::Point2d(point.x(), point.y());
 }
 
-/// The reference in the brightness of the newer image, as the block matcher sees it.
+/// Returns the reference adapted to the brightness of the newer image, as the block matcher does it.
 cv::Mat compensated(const ImageView& reference, const ImageView& newer, const BlockLayout& layout,
                     const std::vector<Eigen::Vector2i>& bias_px) {
     GreySums sums;
@@ -71,13 +72,14 @@ Tracks track(const Pyramid& from, const Pyramid& to, const Points& points, Point
     return tracks;
 }
 
-/// Pixels of the window about a point that lies between four of them.
+/// Returns the pixels of the window about a point, clipped to the image; the point lies between four pixels.
 cv::Rect window_about(const Eigen::Vector2d& centre_px, const cv::Mat& image, int window_px) {
     const Eigen::Vector2i corner = (centre_px.array() - window_px / 2.0).round().cast<int>();
     return cv::Rect(corner.x(), corner.y(), window_px + 1, window_px + 1) & cv::Rect({}, image.size());
 }
 
-/// Sum of the products of the slopes half-way between the pixels of a window.
+/// Structure tensor of a window: sum of the outer products of the slopes half-way between its pixels, in
+/// squared grey levels per squared pixel.
 Eigen::Matrix2d slopes2_of(const cv::Mat& derivatives, const cv::Rect& window) {
     Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
     for (int v = window.y; v < window.br().y - 1; ++v) {
@@ -92,10 +94,10 @@ Eigen::Matrix2d slopes2_of(const cv::Mat& derivatives, const cv::Rect& window) {
     return sum / (derivative_gain * derivative_gain);
 }
 
-/// Standard deviation of a least squares fit in u and v: the noise of the greys, which the residual tells,
-/// over the slopes, less what the same noise adds to those. A straight edge has no slope along itself.
-/// Measured against exact flow the law holds within a third from 0.05 to 0.4 px on even textures (above it is
-/// cautious); where a lone edge off the centre is all there is, errors are 2 to 3 times larger.
+/// Standard deviation of a least squares fit in u and v, in px: the noise of the grey levels, estimated from
+/// the residual, over the slopes, from which the noise's own slopes are subtracted. Compared with exact flow
+/// it holds within a third from 0.05 to 0.4 px on even textures and is too large above; in windows with only
+/// one edge off the centre, errors are 2 to 3 times larger.
 Eigen::Vector2d sigma_of(const Eigen::Matrix2d& slopes2, double residual, int pixels) {
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
     axes.computeDirect(slopes2);
@@ -116,7 +118,7 @@ bool is_inside(const Eigen::Vector2d& corner_px, const ImageView& image) {
            corner_px.y() <= image.height_px - block_px;
 }
 
-/// Follows points by the displacements they are expected to have, and back again by their opposites.
+/// Tracks points forward from their expected displacements, and back from the opposite ones.
 RoundTrip follow(const Pyramid& from, const Pyramid& to, const Points& at, const Points& displacements,
                  const LkSettings& settings) {
     Points expected(at.size());
@@ -128,7 +130,7 @@ RoundTrip follow(const Pyramid& from, const Pyramid& to, const Points& at, const
     return trip;
 }
 
-/// What point i of a round trip says, confidence 0 when it lost its way.
+/// Returns the vector of point i of a round trip; its confidence is 0 when a track was lost.
 FlowVector vector_of(const RoundTrip& trip, std::size_t i, const Eigen::Vector2d& at_px,
                      const Pyramid& reference, const LkSettings& settings) {
     FlowVector vector;
@@ -166,6 +168,18 @@ void LkMatcher::operator()(const ImageView& reference, const ImageView& newer, c
         vectors[i].valid = has_window(layout.corner_px[i], bias_px[i], newer) &&
                            is_inside(layout.corner_px[i].cast<double>() + vectors[i].flow_px, newer);
     }
+}
+
+void register_lk_matcher() {
+    static const bool registered = [] {
+        register_matcher("lk", [](const FlowParams& params, int) {
+            LkSettings settings;
+            settings.brightness = params.brightness;
+            return LkMatcher(settings);
+        });
+        return true;
+    }();
+    static_cast<void>(registered);
 }
 
 }  // namespace flownav::flow

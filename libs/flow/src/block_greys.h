@@ -1,5 +1,5 @@
 #pragma once
-// Two passes over the pixels of a block, with what every x86-64 processor has, and in plain C++ for the
+// Sums and brightness mapping of a block's pixels: SSE2 code for every x86-64 processor, plain C++ for
 // others.
 #include <array>
 #include <cstddef>
@@ -14,19 +14,19 @@
 
 namespace flownav::flow {
 
-/// What the pixels of one 16x16 block add up to.
+/// Sums over the pixels of one 16x16 block.
 struct BlockSums {
     std::int32_t greys = 0, squares = 0;
 };
 
-/// A block row by row.
+/// The pixels of a block, row by row.
 struct GreyBlock {
     alignas(16) std::array<std::uint8_t, std::size_t{block_px} * block_px> pixels;
 };
 
 #ifdef __SSE2__
 
-/// `block`: its top left pixel.
+/// Sums the grey levels of a block and their squares. `block`: its top left pixel.
 inline BlockSums sums_of(const std::uint8_t* block, std::ptrdiff_t stride) {
     const __m128i zero = _mm_setzero_si128();
     __m128i greys = zero;
@@ -45,7 +45,7 @@ inline BlockSums sums_of(const std::uint8_t* block, std::ptrdiff_t stride) {
     return {_mm_cvtsi128_si32(greys), _mm_cvtsi128_si32(squares)};
 }
 
-/// The block as the newer image would show it.
+/// Returns the block with its brightness mapped to that of the newer image.
 inline GreyBlock shown_block(const std::uint8_t* block, std::ptrdiff_t stride, const GreyMap& map) {
     const __m128i zero = _mm_setzero_si128();
     const __m128i gain = _mm_set1_epi16(map.gain);

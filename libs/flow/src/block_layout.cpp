@@ -16,9 +16,9 @@ using Eigen::Vector2d;
 using Eigen::Vector2i;
 
 constexpr double half_block_px = (block_px - 1) / 2.0;
-constexpr double density_floor = 0.2;  // of a y + b: nearer to the horizon the density stays what it is there
+constexpr double density_floor = 0.2;  // smallest a y + b; nearer to the horizon the density is constant
 
-/// Shares of a set of candidates, as a cumulative sum.
+/// Weights of candidates as a cumulative sum.
 struct Cumulative {
     std::vector<double> upto;
 
@@ -30,13 +30,13 @@ struct Cumulative {
     }
 };
 
-/// Possible block corners of one image row.
+/// Possible block corners of one image row, with their weights.
 struct Row {
     std::vector<Vector2i> corner_px;
     Cumulative share;
 };
 
-/// The density of blocks over the image.
+/// Density of blocks over the image: its rows and their weights.
 struct Density {
     std::vector<Row> rows;
     Cumulative share;
@@ -69,7 +69,7 @@ Density density_over(const RayMapper& mapper, double focus_exclusion, bool windo
     return density;
 }
 
-/// Spreads `count` corners over the density with the two-dimensional golden-ratio sequence.
+/// Appends `count` corners, distributed over the density by the two-dimensional golden-ratio sequence.
 void sample_into(BlockLayout& layout, const Density& density, int count) {
     if (density.rows.empty()) return;
     constexpr double plastic = 1.32471795724474602596;  // x^3 = x + 1
@@ -91,7 +91,8 @@ struct Cloud {
     }
 };
 
-/// Nearest blocks of each; v is stretched so that a field's lines count twice, as on the screen.
+/// Finds the nearest blocks of each block. v is scaled by `v_scale`, because a field's lines lie twice as far
+/// apart as its columns.
 std::vector<std::array<int, neighbours_max>> find_neighbours(const BlockLayout& layout, double v_scale) {
     Cloud cloud;
     for (const Vector2d& c : layout.centre_px) cloud.points.emplace_back(c.x(), c.y() * v_scale);

@@ -12,11 +12,11 @@ namespace flownav::flow {
 namespace {
 
 constexpr double block_pixels = static_cast<double>(block_px) * block_px;
-constexpr double gain_max = 2.0;      // either way; beyond that little is left of an 8-bit image
-constexpr double variance_min = 1.0;  // grey levels squared; below there is nothing to tell a gain from
+constexpr double gain_max = 2.0;      // largest gain, and inverse of the smallest
+constexpr double variance_min = 1.0;  // grey levels squared; below, the gain is not determined
 constexpr int rounds = 3;
-constexpr std::size_t blocks_max = 192;  // the first ones: any number of them covers the image evenly
-constexpr double kept_share = 0.7;       // of the blocks, those that follow the others best
+constexpr std::size_t blocks_max = 192;  // the first ones; any number of first blocks covers the image evenly
+constexpr double kept_share = 0.7;       // share of the blocks with the smallest differences
 
 void collect(const ImageView& reference, const ImageView& newer, const BlockLayout& layout,
              const std::vector<Eigen::Vector2i>& bias_px, GreySums& sums) {
@@ -37,7 +37,7 @@ void collect(const ImageView& reference, const ImageView& newer, const BlockLayo
     sums.difference.assign(sums.newer.size(), 0.0);
 }
 
-/// From the blocks that differ by no more than that.
+/// Fits gain and offset to the blocks whose difference is at most `difference_max`.
 Brightness fit(const GreySums& sums, double difference_max) {
     double used = 0.0, greys = 0.0, squares = 0.0, newer_greys = 0.0, newer_squares = 0.0;
     for (std::size_t i = 0; i < sums.newer.size(); ++i) {
@@ -60,7 +60,7 @@ Brightness fit(const GreySums& sums, double difference_max) {
     return b;
 }
 
-/// The difference that the best share of the blocks does not exceed.
+/// Updates the differences of all blocks and returns their kept_share quantile.
 double difference_of_kept(const Brightness& b, GreySums& sums) {
     for (std::size_t i = 0; i < sums.difference.size(); ++i)
         sums.difference[i] = std::abs(sums.newer[i] - b.gain * sums.reference[i] - b.offset * block_pixels);
@@ -74,7 +74,7 @@ double difference_of_kept(const Brightness& b, GreySums& sums) {
 
 GreyMap::GreyMap(const Brightness& brightness) {
     constexpr double gain_limit = std::numeric_limits<std::int16_t>::max();
-    constexpr double offset_limit = 16000;  // 500 grey levels either way: farther than an 8-bit image goes
+    constexpr double offset_limit = 16000;  // 500 grey levels, beyond the range of an 8-bit image
     const double gain_wanted = std::round(unit_gain * brightness.gain);
     const double offset_wanted = std::round(32.0 * brightness.offset + half);
     gain = static_cast<std::int16_t>(std::clamp(gain_wanted, 0.0, gain_limit));
@@ -93,7 +93,7 @@ Brightness compare_brightness(const ImageView& reference, const ImageView& newer
                               const std::vector<Eigen::Vector2i>& bias_px, GreySums& sums) {
     collect(reference, newer, layout, bias_px, sums);
     if (sums.newer.empty()) return {};
-    Brightness b = fit(sums, 0.0);  // all: nothing differs as yet
+    Brightness b = fit(sums, 0.0);  // all blocks: all differences are 0
     for (int round = 0; round < rounds; ++round) b = fit(sums, difference_of_kept(b, sums));
     return b;
 }

@@ -28,7 +28,7 @@ bool is_whole(const SearchRange& r) {
            r.nu_max == search_max;
 }
 
-/// The part of the window that may be read, in a window of its own; 0 elsewhere.
+/// Copy of the readable part of the window, padded with 0.
 struct Padded {
     static constexpr int stride = reached_px + 1;
     std::uint8_t pixels[reached_px * stride] = {};
@@ -42,7 +42,7 @@ struct Padded {
     }
 };
 
-/// Costs outside the range are none. Returns how many there are.
+/// Sets the costs outside the range to no_cost. Returns their number.
 int clear_outside(const SearchRange& range, std::uint16_t* cost) {
     for (int nu = search_min; nu <= search_max; ++nu) {
         std::uint16_t* row = cost + index_of(search_min, nu);
@@ -54,7 +54,7 @@ int clear_outside(const SearchRange& range, std::uint16_t* cost) {
     return kernels::offsets - inside;
 }
 
-/// Fills a surface. Returns how many of its offsets lie outside the range.
+/// Fills a surface. Returns the number of offsets outside the range.
 int fill(kernels::SurfaceFunction surface_of, const std::uint8_t* block, std::ptrdiff_t block_stride,
          const std::uint8_t* window, std::ptrdiff_t window_stride, const SearchRange& range,
          Surface& surface) {

@@ -10,7 +10,8 @@
 namespace flownav::flow {
 namespace {
 
-/// `block`: its top left pixel in the reference, `window`: the pixel at offset (0, 0) in the newer image.
+/// Matches a block after mapping its brightness. `block`: its top left pixel in the reference; `window`: the
+/// pixel at offset (0, 0) in the newer image.
 BlockMatch match_of(const std::uint8_t* block, std::ptrdiff_t stride, const std::uint8_t* window,
                     std::ptrdiff_t window_stride, const SearchRange& range, const MatchKernel& match,
                     const GreyMap& greys) {

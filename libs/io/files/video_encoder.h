@@ -5,19 +5,20 @@
 
 namespace flownav::io {
 
-/// What libflownav-video.so gives to a VideoOutputFile: OpenCV's encoder, one of them for one video.
+/// OpenCV's video encoder, loaded from libflownav-video.so by VideoOutputFile; one object per video.
 class VideoEncoder {
   public:
     virtual ~VideoEncoder() = default;
-    /// H.264 in MP4; width and height even. False when OpenCV cannot do that.
+    /// Opens `file` for H.264 in MP4; width and height of `size` must be even. False when OpenCV cannot
+    /// encode it.
     virtual bool open(const std::string& file, double rate_hz, const cv::Size& size) = 0;
     virtual void write(const cv::Mat& picture) = 0;
     virtual void close() = 0;
-    /// How many pictures a reader of that file finds; 0 when it is no video.
+    /// Number of pictures that `file` holds; 0 when it is not a video.
     virtual std::uint64_t pictures_in(const std::string& file) const = 0;
 };
 
-/// The module's only symbol.
+/// Type and name of the module's only symbol.
 using MakeVideoEncoder = VideoEncoder*();
 constexpr const char* make_video_encoder_symbol = "flownav_make_video_encoder";
 

@@ -11,7 +11,8 @@ namespace flownav::io {
 
 namespace {
 
-/// It stays loaded: FFmpeg's libraries are not made to be unloaded.
+/// Loads the module, which is never unloaded because FFmpeg's libraries do not support it. Throws
+/// OutputError.
 std::unique_ptr<VideoEncoder> load_encoder(const std::filesystem::path& file) {
     void* module = dlopen(FLOWNAV_VIDEO_MODULE, RTLD_NOW | RTLD_LOCAL);
     void* make = module != nullptr ? dlsym(module, make_video_encoder_symbol) : nullptr;
@@ -23,7 +24,7 @@ std::unique_ptr<VideoEncoder> load_encoder(const std::filesystem::path& file) {
 
 VideoOutputFile::VideoOutputFile(std::filesystem::path file, double rate_hz)
     : path_(std::move(file)), rate_hz_(rate_hz) {
-    write_file(path_, "");  // says at once, and why, when it cannot be written
+    write_file(path_, "");  // throws at once, with the reason, when the file cannot be written
 }
 
 VideoOutputFile::~VideoOutputFile() = default;
@@ -41,7 +42,7 @@ void VideoOutputFile::write(const cv::Mat& picture) {
 void VideoOutputFile::close() {
     if (!encoder_) return;
     encoder_->close();
-    // OpenCV reports no error while it writes; a cut video cannot be opened, or counts too few pictures.
+    // OpenCV reports no write errors; a truncated video cannot be opened, or holds too few pictures.
     if (encoder_->pictures_in(path_.string()) != pictures_)
         throw OutputError("cannot write " + path_.string() + ": the video is not whole; is the disk full?");
 }

@@ -13,7 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Which column holds the times; `header` is left true when the first line only names the columns.
+/// Index of the column with the times. Sets `header` when the first line holds the names of the columns.
+/// Throws InputError when no name is a known one.
 std::size_t time_column(const std::string& first_line, const fs::path& file, bool& header) {
     header = numbers_of(first_line).empty();
     if (!header) return 0;
@@ -30,7 +31,7 @@ std::size_t time_column(const std::string& first_line, const fs::path& file, boo
         ": has no column timestamp_s, timestamp, time_s or time; name one with --times, or use --rate");
 }
 
-/// A file with times in or beside the folder; empty when there is none.
+/// File with times in the folder or its parent; empty when there is none.
 fs::path find_times_file(const fs::path& directory) {
     const fs::path inside = directory / "";
     for (const fs::path& folder : {inside.parent_path(), inside.parent_path().parent_path()}) {

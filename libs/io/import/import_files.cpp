@@ -28,7 +28,7 @@ std::size_t end_of_digits(const std::string& text, std::size_t begin) {
     return begin;
 }
 
-/// Runs of digits compare as numbers: img9 before img10.
+/// Compares runs of digits as numbers: img9 comes before img10.
 bool natural_less(const std::string& a, const std::string& b) {
     std::size_t i = 0;
     std::size_t j = 0;

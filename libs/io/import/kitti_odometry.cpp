@@ -18,7 +18,8 @@ CPose3D pose_of(const std::vector<double>& m, const std::string& place) {
     return CPose3D(T);
 }
 
-/// Poses of the camera in the frame of its first image -> poses of the axis, on the ground.
+/// Reads poses of the camera in the frame of its first image; returns poses of the robot's axis, on the
+/// ground, in the frame of the first.
 std::vector<Pose2> axis_poses(const fs::path& file, const CameraMount& mount) {
     const CPose3D T_axis_camera = camera_pose(mount);
     const CPose3D T_camera_axis = -T_axis_camera;

@@ -4,6 +4,7 @@
 
 #include "flownav/io/kitti.h"
 #include "flownav/io/rawlog_reader.h"
+#include "flownav/math/units.h"
 #include "import_files.h"
 
 namespace flownav::io {
@@ -11,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// DRIVE as a folder name, or what stands between "drive_" and "_sync" in it.
+/// Finds the folder of a drive, given its name or the part of it between "drive_" and "_sync".
 fs::path drive_directory(const fs::path& date_directory, const std::string& drive) {
     require_directory(date_directory);
     if (fs::is_directory(date_directory / drive)) return date_directory / drive;
@@ -33,7 +34,7 @@ std::string camera_number(const fs::path& drive) {
     throw InputError(drive.string() + ": holds none of the folders image_00 .. image_03");
 }
 
-/// "2011-09-26 13:02:25.964389445", UTC, to seconds since the epoch.
+/// Parses a UTC time such as "2011-09-26 13:02:25.964389445" to seconds since the epoch.
 double parse_time(const std::string& text, const fs::path& file) {
     std::tm date{};
     const char* rest = strptime(text.c_str(), "%Y-%m-%d %H:%M:%S", &date);
@@ -52,10 +53,10 @@ std::vector<double> times_of(const fs::path& file, std::size_t images, double ra
     return times_s;
 }
 
-/// Poses of the GPS/IMU unit in the frame of its first one: Mercator projection with the scale of the start.
+/// Poses of the GPS/IMU unit in the frame of the first one, by a Mercator projection with the scale at the
+/// start. Empty when there are none.
 std::vector<Pose2> oxts_poses(const fs::path& directory, std::size_t count) {
     constexpr double earth_radius_m = 6378137.0;
-    constexpr double deg = M_PI / 180;
     std::vector<Pose2> poses;
     double scale = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -66,9 +67,9 @@ std::vector<Pose2> oxts_poses(const fs::path& directory, std::size_t count) {
         const auto lines = read_lines(file);
         const auto v = lines.empty() ? std::vector<double>{} : numbers_of(lines.front());
         if (v.size() < 6) throw InputError(file.string() + ": holds no latitude, longitude and angles");
-        if (i == 0) scale = std::cos(v[0] * deg);
-        const double east_m = scale * earth_radius_m * v[1] * deg;
-        const double north_m = scale * earth_radius_m * std::log(std::tan((90 + v[0]) * deg / 2));
+        if (i == 0) scale = std::cos(v[0] * degree_rad);
+        const double east_m = scale * earth_radius_m * v[1] * degree_rad;
+        const double north_m = scale * earth_radius_m * std::log(std::tan((90 + v[0]) * degree_rad / 2));
         poses.push_back({east_m, north_m, v[5]});
     }
     if (poses.empty()) return poses;

@@ -63,7 +63,7 @@ std::string CameraFeed::place() const {
 
 CObservation::Ptr CameraFeed::picture() {
     std::vector<mrpt::serialization::CSerializable::Ptr> out;
-    camera_.getNextFrame(out);  // the form that returns one observation crashes at the end of a video
+    camera_.getNextFrame(out);  // the overload that returns one observation crashes at the end of a video
     for (const auto& object : out) {
         auto observation = std::dynamic_pointer_cast<CObservation>(object);
         if (observation && has_picture(*observation)) return observation;

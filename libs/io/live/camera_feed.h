@@ -9,30 +9,30 @@
 
 namespace flownav::io {
 
-/// Whatever CCameraSensor can open. Cameras and streams never end regularly.
+/// Source opened by CCameraSensor. Cameras and streams have no regular end.
 class CameraFeed : public FieldFeed {
   public:
     explicit CameraFeed(ProducerSettings settings);
 
-    /// Throws InputError.
+    /// Opens the source. Throws InputError.
     void open();
 
     mrpt::obs::CObservation::Ptr next() override;
 
   protected:
-    /// True at a regular end; may also fail() instead of running into what MRPT would do.
+    /// True at the end; an override may call fail() first, to avoid MRPT's own behaviour at a missing image.
     virtual bool at_end() { return false; }
 
-    /// Of the image that comes; nothing: the grabber's own.
+    /// Time of the next image in seconds since the epoch; empty: the grabber's own.
     virtual std::optional<double> timestamp_s() const { return std::nullopt; }
 
-    /// MRPT gives nothing more.
+    /// Called when MRPT returns no more images.
     virtual void run_dry();
 
     const ProducerSettings& settings() const { return settings_; }
     std::uint64_t images() const { return images_; }
 
-    /// The source and how far it came, for messages.
+    /// The source and the number of images read, for messages.
     std::string place() const;
 
   private:
@@ -44,10 +44,11 @@ class CameraFeed : public FieldFeed {
     std::uint64_t images_ = 0;
 };
 
-/// A video file. Throws InputError.
+/// Opens a video file. Throws InputError.
 std::unique_ptr<CameraFeed> make_video_feed(const ProducerSettings& settings, const std::string& file);
 
-/// A folder of numbered images. Throws InputError, and ConfigError about the keys that describe the folder.
+/// Opens a folder of numbered images. Throws InputError, and ConfigError about the keys that describe the
+/// folder.
 std::unique_ptr<CameraFeed> make_folder_feed(ProducerSettings settings);
 
 }  // namespace flownav::io

@@ -10,7 +10,7 @@
 
 namespace flownav::io {
 
-/// Where observations come from, one after the other.
+/// Source of observations.
 class FieldFeed {
   public:
     FieldFeed() = default;
@@ -18,16 +18,16 @@ class FieldFeed {
     FieldFeed(const FieldFeed&) = delete;
     FieldFeed& operator=(const FieldFeed&) = delete;
 
-    /// The next observation, waiting for it if need be; null at the end. Never throws on bad input.
+    /// Waits for the next observation; null at the end. Never throws on bad input.
     virtual mrpt::obs::CObservation::Ptr next() = 0;
 
     /// Folder that relative names of externally stored images refer to.
     virtual std::filesystem::path images_directory() const { return {}; }
 
-    /// Whole objects of a rawlog that were read.
+    /// Number of whole rawlog objects read; 0 for other sources.
     virtual std::uint64_t objects() const { return 0; }
 
-    /// Why there is no more; empty: a file came to its regular end.
+    /// Reason of the end; empty at the regular end of a file.
     const std::string& error() const { return error_; }
 
   protected:
@@ -37,7 +37,7 @@ class FieldFeed {
     std::string error_;
 };
 
-/// Both throw InputError when the source cannot be opened.
+/// Open a source. Throw InputError when it cannot be opened.
 std::unique_ptr<FieldFeed> open_rawlog(const ProducerSettings& settings);
 std::unique_ptr<FieldFeed> open_camera(const ProducerSettings& settings);
 

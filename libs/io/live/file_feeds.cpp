@@ -11,7 +11,7 @@
 namespace flownav::io {
 namespace {
 
-/// Images that were taken at a constant rate; MRPT would stamp them with the time of decoding.
+/// Images taken at a constant rate. Replaces MRPT's time stamps, which are the times of decoding.
 class TimedFeed : public CameraFeed {
   public:
     TimedFeed(const ProducerSettings& settings, double rate_hz) : CameraFeed(settings), rate_hz_(rate_hz) {}
@@ -34,8 +34,8 @@ class VideoFeed : public TimedFeed {
     void run_dry() override {
         ended_ = true;
         const double missing = frames_ - static_cast<double>(images());
-        const double estimate_off = std::max(1.0, 0.02 * frames_);  // some formats only have an estimate
-        if (missing <= estimate_off) return;
+        const double tolerance = std::max(1.0, 0.02 * frames_);  // some formats hold only an estimate
+        if (missing <= tolerance) return;
         fail(place() + ": the video is cut short or damaged, it should hold " +
              std::to_string(std::llround(frames_)));
     }
@@ -116,7 +116,7 @@ std::unique_ptr<CameraFeed> make_folder_feed(ProducerSettings settings) {
     }
     settings.camera_keys["left_format"] = format;
     settings.camera_keys["end_index"] = std::to_string(last);  // MRPT's default is 100
-    settings.camera_keys.erase("right_format");                // the left camera is the one that is used
+    settings.camera_keys.erase("right_format");                // only the left camera is used
     return std::make_unique<FolderFeed>(settings, *settings.rate_hz, std::move(files), first, last);
 }
 

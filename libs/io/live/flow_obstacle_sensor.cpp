@@ -61,7 +61,7 @@ void CFlowObstacleSensor::doProcess() {
     if (!batch.empty()) appendObservations(batch);
 }
 
-/// Nothing: the end, or the next field is not due yet.
+/// Returns the next event; empty at the end, or when the next field is not due yet.
 std::optional<io::SensorEvent> CFlowObstacleSensor::next_due() {
     auto event = early_ ? std::exchange(early_, std::nullopt) : fields_->next();
     const auto* field = event ? std::get_if<Field>(&*event) : nullptr;

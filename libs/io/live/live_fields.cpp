@@ -5,7 +5,7 @@
 namespace flownav::io {
 namespace {
 
-constexpr std::uint64_t patience_images = 100;  ///< of a camera whose images are all rejected
+constexpr std::uint64_t rejected_images_max = 100;  ///< limit of rejected images without a field
 
 }  // namespace
 
@@ -15,23 +15,24 @@ struct LiveFields::Impl {
           maker(of.config.camera),
           feed(of.grabber_type == "rawlog" ? open_rawlog(of) : open_camera(of)) {}
 
-    /// Takes in one more observation, or the end.
+    /// Reads one more observation, or the end.
     void advance() {
         const auto observation = feed->next();
         maker.count_objects(feed->objects());
         if (observation) {
             maker.consume(observation, feed->images_directory());
-            give_up_on_hopeless_camera();
+            end_when_all_images_are_rejected();
         } else {
             maker.finish();
             end(feed->error());
         }
     }
 
-    void give_up_on_hopeless_camera() {
+    void end_when_all_images_are_rejected() {
         const InputCounts& counts = maker.counts();
         const std::uint64_t rejected = counts.images - counts.fields;
-        if (settings.grabber_type != "rawlog" && counts.fields == 0 && rejected > patience_images) end("");
+        if (settings.grabber_type != "rawlog" && counts.fields == 0 && rejected > rejected_images_max)
+            end("");
     }
 
     void end(const std::string& why) {
@@ -42,8 +43,8 @@ struct LiveFields::Impl {
     ProducerSettings settings;
     EventMaker maker;
     std::unique_ptr<FieldFeed> feed;
-    bool ended = false;  ///< nothing more comes from the feed
-    bool told = false;   ///< and nothing more waits in the maker
+    bool ended = false;  ///< the feed has ended
+    bool told = false;   ///< next() has returned the end
     std::string error;
 };
 
@@ -64,8 +65,8 @@ std::optional<SensorEvent> LiveFields::next() {
         event = impl_->maker.next();
     }
     impl_->told = !event;
-    const bool nothing = impl_->told && impl_->error.empty() && counts().fields == 0;
-    if (nothing)
+    const bool ended_without_field = impl_->told && impl_->error.empty() && counts().fields == 0;
+    if (ended_without_field)
         impl_->error = why_no_field(counts(), settings().source, settings().config.camera.camera_label);
     return event;
 }

@@ -4,10 +4,10 @@
 
 namespace flownav::io {
 
-/// The images of a folder as CCameraSensor names them: a printf format with one number.
+/// File names of a folder's images as CCameraSensor forms them: a printf format with one number.
 class NumberedFiles {
   public:
-    /// Throws ConfigError: `format` does not hold exactly one number such as %05d.
+    /// Throws ConfigError when `format` does not hold exactly one number such as %05d.
     NumberedFiles(std::filesystem::path folder, const std::string& format);
 
     std::filesystem::path file(int index) const;

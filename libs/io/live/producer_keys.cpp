@@ -27,7 +27,7 @@ std::string parse_label(const std::string& text) {
     return text;
 }
 
-/// One of the producer's own keys.
+/// A key of the producer itself: name, allowed values and setter.
 struct OwnKey {
     std::string name;
     std::string allowed;
@@ -65,7 +65,7 @@ const std::vector<OwnKey>& own_keys() {
     return keys;
 }
 
-/// Read by read_producer_settings() before all others.
+/// Keys that read_producer_settings() reads before all others.
 const Names& first_keys() {
     static const Names keys = {"grabber_type", "flownav_config"};
     return keys;
@@ -104,7 +104,7 @@ const Names& camera_keys() {
     return keys;
 }
 
-/// The keys of cameras with many.
+/// Prefixes of the keys of cameras that have many.
 const Names& camera_prefixes() {
     static const Names prefixes = {"dc1394_", "bumblebee_", "svs_",   "sr_",    "kinect_",
                                    "flycap_", "fcs_",       "myntd_", "duo3d_", "external_images_"};
@@ -146,7 +146,7 @@ KeyOwner owner_of(const std::string& key) {
 
 void set_producer_value(ProducerSettings& settings, const std::string& key, const std::string& value) {
     const OwnKey* const own = own_key(lowerCase(key));
-    if (own == nullptr) return;  // one of first_keys()
+    if (own == nullptr) return;  // the key is one of first_keys()
     try {
         own->set(settings, value);
     } catch (const config::BadValue& error) {
@@ -157,7 +157,11 @@ void set_producer_value(ProducerSettings& settings, const std::string& key, cons
 
 std::string nearest_producer_key(const std::string& key) {
     for (const config::ConfigKey& known : config::config_keys()) {
-        if (known.name == lowerCase(key)) return known.section + "." + known.name;
+        Names names = known.earlier_names;
+        names.push_back(known.full_name());
+        for (const std::string& name : names) {
+            if (name.substr(name.find('.') + 1) == lowerCase(key)) return known.full_name();
+        }
     }
     return config::nearest_name(key, all_keys());
 }

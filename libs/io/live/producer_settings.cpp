@@ -17,12 +17,12 @@ using mrpt::config::CConfigFileBase;
 using mrpt::system::lowerCase;
 using mrpt::system::trim;
 
-/// The text of a key, or empty.
+/// Text of a key; empty when it is missing.
 std::string text_of(const CConfigFileBase& ini, const std::string& section, const std::string& key) {
     return trim(ini.read_string(section, key, ""));
 }
 
-/// Without lines commented out by //, which MRPT takes for keys.
+/// Keys of a section, without lines commented out by //, which MRPT takes for keys.
 std::vector<std::string> keys_of(const CConfigFileBase& ini, const std::string& section) {
     std::vector<std::string> keys;
     ini.getAllKeys(section, keys);
@@ -31,7 +31,7 @@ std::vector<std::string> keys_of(const CConfigFileBase& ini, const std::string& 
     return keys;
 }
 
-/// MRPT would thin out the observations of whole cycles.
+/// Throws ConfigError for a decimation above 1, because MRPT would drop whole cycles.
 void refuse_decimation(const std::string& key, const std::string& value) {
     if (lowerCase(key) != "grab_decimation" || value == "0" || value == "1") return;
     throw config::ConfigError("grab_decimation = " + value +
@@ -55,7 +55,7 @@ void set_key(ProducerSettings& settings, const std::string& key, const std::stri
     }
 }
 
-/// The key that says where the images of a grabber come from.
+/// Key that holds the source of a grabber's images; empty for cameras.
 std::string source_key(const std::string& grabber_type) {
     if (grabber_type == "rawlog") return "rawlog_file";
     if (grabber_type == "ffmpeg") return "ffmpeg_url";
@@ -92,7 +92,7 @@ ProducerSettings read(const CConfigFileBase& ini, const std::string& section) {
     return settings;
 }
 
-/// The one section with our driver.
+/// The only section with driver = CFlowObstacleSensor. Throws ConfigError when there is none, or several.
 std::string only_section(const CConfigFileBase& ini, const std::string& file) {
     std::vector<std::string> sections;
     ini.getAllSections(sections);

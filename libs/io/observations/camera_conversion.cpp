@@ -3,19 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
+
+#include "flownav/math/units.h"
 
 namespace flownav::io {
 namespace {
 
-constexpr double deg = M_PI / 180;
-
-/// What a recording says; absent values are to come from the ini.
+/// Calibration of a recording; absent values must come from the ini.
 struct Recorded {
     std::optional<double> fx_px, fy_px, cx_px, cy_px;
     std::array<double, 5> distortion{};
     std::optional<CameraMount> mount;  ///< empty: no pose was recorded
-    bool oriented = false;             ///< the pose turns the robot's axes into a camera's
-    std::string unusable_lens;         ///< why the recorded distortion cannot be used
+    bool oriented = false;             ///< the recorded pose has a rotation to optical axes
+    std::string unusable_lens;  ///< unsupported lens model of the recording; empty when it is supported
 };
 
 Recorded recorded_calibration(const mrpt::obs::CObservationImage& image) {
@@ -57,7 +58,8 @@ void require_range(const char* key, double value, double low, double high, const
     throw config::ConfigError(text.str());
 }
 
-/// Focal lengths below 0.04 of the image see more than 171 degrees: no lens of this model does.
+/// Throws ConfigError when intrinsics cannot be pixels of this image. A focal length below 0.04 of the image
+/// size would mean a view of more than 171 degrees, impossible with this lens model.
 void require_pixels(const CameraModel& c) {
     constexpr double shortest = 0.04;
     constexpr double longest_px = 50000.0;
@@ -78,10 +80,10 @@ void require_usable_mount(const CameraMount& m) {
     require_range("camera.height_m", m.height_m, 0.01, 20,
                   "the camera's height over the ground in metres. Correct the recorded cameraPose or set "
                   "camera.height_m");
-    require_range("camera.pitch_deg", m.pitch_rad / deg, -5, 80,
+    require_range("camera.pitch_deg", m.pitch_rad / degree_rad, -5, 80,
                   "the camera has to look ahead or down; > 0 looks down. Correct the recorded cameraPose or "
                   "set camera.pitch_deg");
-    require_range("camera.roll_deg", m.roll_rad / deg, -10, 10,
+    require_range("camera.roll_deg", m.roll_rad / degree_rad, -10, 10,
                   "a camera tilted sideways this far is not compensated. Correct the recorded cameraPose or "
                   "set camera.roll_deg");
     require_range(
@@ -91,7 +93,7 @@ void require_usable_mount(const CameraMount& m) {
     require_range("camera.left_m", m.left_m, -10, 10,
                   "the camera's place beside the robot's axis in metres. Correct the recorded cameraPose or "
                   "set camera.left_m");
-    require_range("camera.yaw_deg", m.yaw_rad / deg, -10, 10,
+    require_range("camera.yaw_deg", m.yaw_rad / degree_rad, -10, 10,
                   "the camera has to look ahead. Correct the recorded cameraPose or set camera.yaw_deg");
 }
 
@@ -115,9 +117,9 @@ CameraMount merged_mount(const Recorded& r, const config::CameraConfig& c) {
     mount.height_m = c.height_m.value_or(mount.height_m);
     mount.forward_m = c.forward_m.value_or(mount.forward_m);
     mount.left_m = c.left_m.value_or(mount.left_m);
-    if (c.pitch_deg) mount.pitch_rad = *c.pitch_deg * deg;
-    if (c.roll_deg) mount.roll_rad = *c.roll_deg * deg;
-    if (c.yaw_deg) mount.yaw_rad = *c.yaw_deg * deg;
+    if (c.pitch_deg) mount.pitch_rad = *c.pitch_deg * degree_rad;
+    if (c.roll_deg) mount.roll_rad = *c.roll_deg * degree_rad;
+    if (c.yaw_deg) mount.yaw_rad = *c.yaw_deg * degree_rad;
     return mount;
 }
 
@@ -142,6 +144,7 @@ CameraModel merged(const Recorded& r, const config::CameraConfig& c, int width_p
     camera.cx_px = c.cx_px ? *c.cx_px : *r.cx_px;
     camera.cy_px = c.cy_px ? *c.cy_px : *r.cy_px;
     camera.distortion = c.distortion.value_or(r.distortion);
+    if (c.distortion) camera.lens = &find_lens(c.lens);
     camera.mount = merged_mount(r, c);
     require_finite(camera);
     require_pixels(camera);
@@ -157,7 +160,7 @@ CameraMount camera_mount(const mrpt::poses::CPose3D& pose_robot_camera) {
     m.forward_m = pose_robot_camera.x();
     m.left_m = pose_robot_camera.y();
     m.height_m = pose_robot_camera.z();
-    // Columns of R: the camera's right, down and forward in robot axes (forward, left, up).
+    // The columns of R are the camera's right, down and forward axes in robot axes (forward, left, up).
     m.pitch_rad = std::asin(std::clamp(-R(2, 2), -1.0, 1.0));
     m.yaw_rad = std::atan2(R(1, 2), R(0, 2));
     m.roll_rad = std::atan2(-R(2, 0), -R(2, 1));
@@ -175,6 +178,8 @@ mrpt::img::TCamera camera_params(const CameraModel& camera) {
     c.ncols = static_cast<uint32_t>(camera.width_px);
     c.nrows = static_cast<uint32_t>(camera.height_px);
     c.setIntrinsicParamsFromValues(camera.fx_px, camera.fy_px, camera.cx_px, camera.cy_px);
+    if (camera.lens != &brown_conrady())
+        throw std::invalid_argument("a rawlog cannot hold the camera's lens " + camera.lens->name());
     const auto& k = camera.distortion;
     if (k != std::array<double, 5>{}) c.setDistortionPlumbBob(k[0], k[1], k[2], k[3], k[4]);
     return c;

@@ -3,8 +3,8 @@
 
 namespace flownav::io {
 
-/// The picture an observation holds, with its calibration and optical pose: an image as it is, or the
-/// intensity image of a depth camera. Null when there is none. No pixel is copied.
+/// Returns the picture of an observation, with calibration and optical pose: an image itself, or the
+/// intensity image of a depth camera. Null when there is none. Shares the pixels.
 mrpt::obs::CObservationImage::Ptr camera_image(const mrpt::obs::CObservation::Ptr& observation);
 
 }  // namespace flownav::io

@@ -39,7 +39,7 @@ PoseSample sample_of(const CObservationRobotPose& truth) {
     return {PoseSample::Source::GroundTruth, seconds(truth), pose_map_robot.asTPose()};
 }
 
-/// "a (3), b (1)"
+/// Text of counts such as "a (3), b (1)".
 std::string listed(const std::map<std::string, std::uint64_t>& counts) {
     std::string text;
     for (const auto& [name, count] : counts) {

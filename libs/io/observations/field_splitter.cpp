@@ -34,7 +34,7 @@ std::vector<Field> FieldSplitter::push(const Field& frame) {
         const double interval_s = frame.timestamp_s - second_->timestamp_s;
         intervals_s_.push_back(interval_s);
         if (intervals_s_.size() > intervals_kept) intervals_s_.pop_front();
-        // After an early frame the field still has to lie between the two.
+        // The field must lie between the two frames, also when the second one is early.
         fields.push_back(second_field(std::min(median(intervals_s_), interval_s)));
     }
     const bool bottom_first = interlaced_ == config::Interlaced::BottomFirst;

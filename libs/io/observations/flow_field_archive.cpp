@@ -13,12 +13,12 @@ using pipeline::BlockCounts;
 using pipeline::BlockRecord;
 using pipeline::Step;
 
-// The index is what is stored: add at the end, never reorder.
+// The index of a value is stored in files: append new values, never reorder.
 constexpr std::array stored_status = {FieldStatus::Ok, FieldStatus::Waiting, FieldStatus::Lost,
                                       FieldStatus::NoTexture, FieldStatus::BadField};
 constexpr std::array stored_label = {BlockLabel::Unplaced,    BlockLabel::Sifted,   BlockLabel::Eliminated,
-                                    BlockLabel::Ground,      BlockLabel::Obstacle, BlockLabel::Moving,
-                                    BlockLabel::Unsupported, BlockLabel::Unjudged};
+                                     BlockLabel::Ground,      BlockLabel::Obstacle, BlockLabel::Moving,
+                                     BlockLabel::Unsupported, BlockLabel::Unjudged};
 constexpr std::array stored_kind = {BeamKind::Unknown, BeamKind::Free, BeamKind::Obstacle};
 
 constexpr std::uint32_t most_elements = 1U << 20;
@@ -36,7 +36,7 @@ Word read_word(CArchive& in, const std::array<Word, N>& words, const char* name)
                              std::to_string(number) + ", known are 0.." + std::to_string(N - 1));
 }
 
-/// Yes or no, as bits of one byte, the first one lowest.
+/// Writes flags as bits of one byte, the first flag in the lowest bit.
 void write_flags(CArchive& out, std::initializer_list<bool> flags) {
     unsigned bits = 0;
     unsigned place = 0;
@@ -53,7 +53,7 @@ void read_flags(CArchive& in, std::initializer_list<bool*> flags) {
     if (bits != 0) throw std::runtime_error("flow field: a flag is set that does not exist");
 }
 
-/// A row of doubles, written and read in one piece.
+/// A row of N doubles, written and read as one buffer.
 template <std::size_t N>
 using Numbers = std::array<double, N>;
 
@@ -76,7 +76,7 @@ void write_list(CArchive& out, const std::vector<Element>& list, Write write_ele
     for (const Element& element : list) write_element(out, element);
 }
 
-/// Grows with what is there, so that a damaged length allocates nothing.
+/// Reads a list element by element, so that a damaged length does not allocate memory for it.
 template <typename Read>
 auto read_list(CArchive& in, const char* name, Read read_element) {
     std::vector<decltype(read_element(in))> list;
@@ -165,7 +165,7 @@ EgoMotion read_motion(CArchive& in) {
     return m;
 }
 
-// In the order they are stored.
+// Counts in the order in which they are stored.
 constexpr std::array stored_counts = {
     &BlockCounts::placed,        &BlockCounts::confident,   &BlockCounts::inliers,
     &BlockCounts::ground_window, &BlockCounts::ground,      &BlockCounts::obstacle,

@@ -6,6 +6,7 @@
 
 #include "flow_field_archive.h"
 #include "flownav/io/flow_field_observation.h"
+#include "flownav/math/units.h"
 
 namespace flownav {
 namespace {
@@ -14,9 +15,7 @@ using pipeline::BlockCounts;
 using pipeline::BlockRecord;
 using pipeline::Step;
 
-constexpr double deg = 180.0 / M_PI;
-
-/// `value` with a fixed number of decimals.
+/// Text of `value` with a fixed number of decimals.
 std::string fixed(double value, int decimals) {
     std::ostringstream text;
     text.imbue(std::locale::classic());
@@ -26,7 +25,7 @@ std::string fixed(double value, int decimals) {
     return text.str();
 }
 
-/// A row of columns separated by blanks.
+/// Builds a row of columns separated by blanks.
 class Row {
   public:
     Row& operator()(double value) {
@@ -90,24 +89,24 @@ void describe_camera(std::ostream& out, const CameraModel& c) {
         << fixed(c.fy_px, 2) << ", cx " << fixed(c.cx_px, 2) << ", cy " << fixed(c.cy_px, 2)
         << " px\n  height " << fixed(c.mount.height_m, 3) << " m, " << fixed(c.mount.forward_m, 3)
         << " m ahead of the axis and " << fixed(c.mount.left_m, 3) << " m to its left; pitch "
-        << fixed(c.mount.pitch_rad * deg, 2) << " deg down, roll " << fixed(c.mount.roll_rad * deg, 2)
-        << " deg, yaw " << fixed(c.mount.yaw_rad * deg, 2) << " deg\n";
+        << fixed(deg(c.mount.pitch_rad), 2) << " deg down, roll " << fixed(deg(c.mount.roll_rad), 2)
+        << " deg, yaw " << fixed(deg(c.mount.yaw_rad), 2) << " deg\n";
 }
 
 void describe_motion(std::ostream& out, const Step& s) {
     const EgoMotion& m = s.motion;
     out << "Status: " << to_string(s.status) << (s.restarted ? ", a new chain begins here" : "") << "; image "
         << s.image_of_cycle << " of a cycle of " << s.cycle_images << (s.end_of_cycle ? ", the last one" : "")
-        << "\nTurn rate " << fixed(s.omega_radps * deg, 3) << " deg/s (> 0 left), pitch rate "
-        << fixed(s.pitch_rate_radps * deg, 3) << " deg/s, speed " << fixed(s.v_mps, 3) << " m/s "
+        << "\nTurn rate " << fixed(deg(s.omega_radps), 3) << " deg/s (> 0 left), pitch rate "
+        << fixed(deg(s.pitch_rate_radps), 3) << " deg/s, speed " << fixed(s.v_mps, 3) << " m/s "
         << (s.v_measured ? "(measured)" : "(predicted or carried over)") << "\nSince the reference: turn "
-        << fixed(m.omega_rad * deg, 3) << " +- " << fixed(m.sigma_omega_rad * deg, 3) << " deg"
-        << (m.omega_measured ? "" : " (predicted)") << ", pitch " << fixed(m.pitch_rad * deg, 3)
+        << fixed(deg(m.omega_rad), 3) << " +- " << fixed(deg(m.sigma_omega_rad), 3) << " deg"
+        << (m.omega_measured ? "" : " (predicted)") << ", pitch " << fixed(deg(m.pitch_rad), 3)
         << " deg, forward " << fixed(m.forward_m, 4) << " +- " << fixed(m.sigma_forward_m, 4) << " m"
         << (m.forward_measured ? "" : " (carried over)") << "\nPose since the start: x "
         << fixed(s.T_start_robot.x_m, 3) << " m, y " << fixed(s.T_start_robot.y_m, 3) << " m, heading "
-        << fixed(s.T_start_robot.yaw_rad * deg, 2) << " deg; pitch of the camera corrected by "
-        << fixed(s.pitch_correction_rad * deg, 3) << " deg\n";
+        << fixed(deg(s.T_start_robot.yaw_rad), 2) << " deg; pitch of the camera corrected by "
+        << fixed(deg(s.pitch_correction_rad), 3) << " deg\n";
 }
 
 void describe_blocks(std::ostream& out, const Step& s) {
@@ -139,7 +138,7 @@ void describe_obstacles(std::ostream& out, const Step& s) {
                              [kind](const Beam& beam) { return beam.kind == kind; });
     };
     out << "Patches of floor: " << s.ground.size() << "\nScan: " << s.scan.beams.size() << " beams of "
-        << fixed(s.scan.step_rad * deg, 2) << " deg from " << fixed(s.scan.first_bearing_rad * deg, 1)
+        << fixed(deg(s.scan.step_rad), 2) << " deg from " << fixed(deg(s.scan.first_bearing_rad), 1)
         << " deg on; " << beams(BeamKind::Obstacle) << " end at an obstacle, " << beams(BeamKind::Free)
         << " are free, " << beams(BeamKind::Unknown) << " unknown\n";
 }

@@ -12,7 +12,7 @@ namespace flownav::io {
 namespace {
 
 mrpt::img::CImage pixels(const ImageView& view) {
-    // OpenCV has no view of constant pixels; the copy below only reads.
+    // cv::Mat has no const view; the copy below only reads.
     const cv::Mat source(view.height_px, view.width_px, CV_8UC1, const_cast<std::uint8_t*>(view.data),
                          static_cast<std::size_t>(view.stride_bytes));
     return {source.clone(), mrpt::img::SHALLOW_COPY};

@@ -16,7 +16,7 @@ void ActionOdometry::add(const mrpt::obs::CActionCollection& actions) {
         }
         timestamp_ = movement->timestamp;
         due_ = true;
-        return;  // several movements of one collection are estimates of the same step
+        return;  // all movements of one collection are estimates of the same step
     }
 }
 

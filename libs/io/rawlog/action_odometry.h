@@ -5,13 +5,13 @@
 
 namespace flownav::io {
 
-/// Turns the movement actions of a sensory-frame rawlog into odometry readings: the integral of their
-/// increments, stamped with the action's time or, where that is missing, with that of the frame after it.
+/// Integrates the movement actions of a sensory-frame rawlog to odometry readings. The time stamp is the
+/// action's, or that of the following frame when it is missing.
 class ActionOdometry {
   public:
     void add(const mrpt::obs::CActionCollection& actions);
 
-    /// A reading that became due with this frame, or null.
+    /// Returns the reading of the actions since the last frame; null when there were none.
     mrpt::obs::CObservationOdometry::Ptr take(const mrpt::obs::CSensoryFrame& frame);
 
   private:

@@ -7,7 +7,7 @@ namespace flownav::io {
 
 namespace {
 
-constexpr std::size_t events_ahead = 8;  // 2 MB of PAL fields, 66 MB of 4K ones
+constexpr std::size_t events_ahead = 8;  // 2 MB of PAL fields, 66 MB of 4K fields
 
 }  // namespace
 

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file that gets its name when it is complete, and is removed otherwise. Anything but a regular file, such
-/// as a device, is written in place.
+/// File that gets its name in complete() and is otherwise removed by the destructor. A target that is not a
+/// regular file, such as a device, is written in place.
 class PendingFile {
   public:
     explicit PendingFile(const fs::path& target) : target_(target), path_(target) {

@@ -13,8 +13,8 @@ namespace flownav::io {
 namespace {
 
 constexpr std::size_t buffer_bytes = 1 << 18;
-constexpr std::uint64_t deflate_ratio_max = 1032;  // the most that one byte of a deflate stream can stand for
-constexpr std::uint64_t held_back_max = 1 << 17;   // output that a decoder may hold: two windows and more
+constexpr std::uint64_t deflate_ratio_max = 1032;  // output bytes per byte of a deflate stream
+constexpr std::uint64_t held_back_max = 1 << 17;   // output held back in a decoder, > 2 windows
 
 std::uint64_t checked_size(const std::filesystem::path& file) {
     std::error_code error;
@@ -59,7 +59,7 @@ bool is_gz(const std::uint8_t* bytes, std::size_t count) {
 struct InputBytes::Inflater {
     inflate_state stream;
     bool inside_member = true;
-    int failure = ISAL_DECOMP_OK;  ///< the last bytes in front of a damage may come together with it
+    int failure = ISAL_DECOMP_OK;  ///< error of the decoder, reported after the bytes decoded before it
 
     Inflater() {
         isal_inflate_init(&stream);
@@ -105,7 +105,7 @@ void InputBytes::go_to(const Mark& mark) {
 }
 
 void InputBytes::refill() {
-    // Two bytes may be left over when a gz member's magic straddles the buffer's end.
+    // A gz member's magic may straddle the end of the buffer, so unused bytes are kept.
     std::memmove(buffer_.data(), buffer_.data() + at_, filled_ - at_);
     filled_ -= at_;
     at_ = 0;

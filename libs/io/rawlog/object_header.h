@@ -12,14 +12,14 @@ struct ObjectHeader {
     std::string class_name;
 };
 
-/// True for text that can be the name of a C++ class.
+/// True when `name` can be the name of a C++ class.
 bool is_class_name(const std::string& name);
 
-/// Bytes a header needs at most.
+/// Largest size of a header in bytes.
 constexpr std::size_t object_header_bytes = 4 + 127;
 
-/// Reads the class name from the first bytes of an object: length | 0x80 and the name, or, before MRPT 0.5.5,
-/// a 32-bit length and the name.
+/// Parses the class name from the first bytes of an object: length | 0x80 and the name, or, before MRPT
+/// 0.5.5, a 32-bit length and the name.
 ObjectHeader parse_object_header(const std::vector<std::uint8_t>& bytes);
 
 }  // namespace flownav::io

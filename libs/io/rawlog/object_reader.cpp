@@ -24,10 +24,11 @@ constexpr const char* unknown_class_hint =
     "the "
     "file is damaged.";
 
-/// A picture may well have so many bytes; a length beyond is rather damaged than true.
-constexpr std::uint32_t believable_length = 1U << 26;
+/// Largest plausible length, that of a picture. A larger one is reported as damage, a smaller one as
+/// truncation.
+constexpr std::uint32_t plausible_length_max = 1U << 26;
 
-/// A stored length that the file cannot hold.
+/// Thrown for a stored length that exceeds the rest of the file.
 struct BogusLength {
     ObjectStream::ParseError parse_error;
     std::string text() const {
@@ -36,7 +37,7 @@ struct BogusLength {
     }
 };
 
-/// The sentence of an MRPT exception, without its call stack.
+/// Message of an MRPT exception without its call stack.
 std::string short_reason(const std::string& what) {
     const std::string marker = "Message:";
     const auto at = what.rfind(marker);
@@ -44,7 +45,7 @@ std::string short_reason(const std::string& what) {
     return begin == std::string::npos ? "" : what.substr(begin, what.find('\n', begin) - begin);
 }
 
-/// The class MRPT names when it does not know a nested object; empty when that is not what happened.
+/// Name of the unknown class of a nested object in MRPT's message; empty for other messages.
 std::string unknown_class(const std::string& reason) {
     if (reason.find("not registered") == std::string::npos) return "";
     const auto open = reason.find('\'');
@@ -106,7 +107,7 @@ CSerializable::Ptr ObjectReader::read_object() {
         ++end_.objects_read;
         return object;
     } catch (const BogusLength& length) {
-        if (length.parse_error.value <= believable_length) {
+        if (length.parse_error.value <= plausible_length_max) {
             finish(ReadEnd::Kind::Truncated, length.text(), cut_advice);
         } else {
             finish(ReadEnd::Kind::Corrupt, length.text(), damage_advice);
@@ -184,11 +185,11 @@ void ObjectReader::finish_for_lack_of_bytes() {
 }
 
 void ObjectReader::finish_after(const std::string& reason) {
-    const std::string stranger = unknown_class(reason);
+    const std::string nested_class = unknown_class(reason);
     if (stream_.ran_dry()) {
         finish_for_lack_of_bytes();
-    } else if (!stranger.empty()) {
-        finish_unknown(stranger);
+    } else if (!nested_class.empty()) {
+        finish_unknown(nested_class);
     } else {
         finish(ReadEnd::Kind::Corrupt, "the object is damaged (" + reason + ")", damage_advice);
     }

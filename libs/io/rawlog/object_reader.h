@@ -11,22 +11,22 @@
 
 namespace flownav::io {
 
-/// Reads the top-level objects of a rawlog one by one and says how and where that ended.
+/// Reads the top-level objects of a rawlog in order, and reports kind and place of the end.
 class ObjectReader {
   public:
-    /// A place between two objects to come back to.
+    /// Position between two objects, for go_to().
     struct Mark {
         ObjectStream::Mark stream;
         std::uint64_t objects_read = 0;
     };
 
-    /// Throws InputError: cannot be opened, or does not begin with an object of a rawlog.
+    /// Throws InputError when the file cannot be opened, or does not begin with an object of a rawlog.
     explicit ObjectReader(const std::filesystem::path& file);
 
-    /// The next object, or null at the end; then end() tells why.
+    /// Next object; null at the end, when end() holds its kind.
     mrpt::serialization::CSerializable::Ptr next();
 
-    /// Where the next object begins; at the end, where the one that could not be read begins.
+    /// Position of the next object; at the end, position of the object that could not be read.
     Mark mark() const;
     void go_to(const Mark& mark);
 
@@ -53,7 +53,7 @@ class ObjectReader {
     InputBytes bytes_;
     ObjectStream stream_;
     ReadEnd end_;
-    std::string class_name_;  ///< of the object being read
+    std::string class_name_;  ///< class of the object being read
 };
 
 }  // namespace flownav::io

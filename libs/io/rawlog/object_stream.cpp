@@ -8,11 +8,11 @@ namespace flownav::io {
 namespace {
 
 constexpr std::uint32_t first_placeholder = 1;
-constexpr std::uint64_t harmless_length = 1U << 20;
-constexpr std::uint64_t longest_length = 1U << 28;  // no picture or point cloud has more elements
+constexpr std::uint64_t always_accepted_length = 1U << 20;
+constexpr std::uint64_t length_max = 1U << 28;  // elements; pictures and point clouds have fewer
 constexpr std::size_t growth_step = 1U << 20;
 
-/// Raw colour pictures are stored with their size negated.
+/// True for a negated size, which MRPT stores for raw colour pictures.
 bool is_negated_size(std::uint32_t value) {
     const auto number = static_cast<std::int32_t>(value);
     return number >= -65536 && number <= -8;
@@ -54,7 +54,7 @@ void ObjectStream::go_to(const Mark& mark) {
 }
 
 std::size_t ObjectStream::make_available(std::size_t count) {
-    // Grown in steps: a bogus count must not allocate more than the file delivers.
+    // Grows in steps, so that a damaged count does not allocate more than the file delivers.
     while (object_.size() - at_ < count) {
         const std::size_t old = object_.size();
         const std::size_t step = std::min(count - (old - at_), growth_step);
@@ -89,7 +89,7 @@ void ObjectStream::replace_if_in_doubt(std::uint8_t* four_bytes) {
     std::uint32_t value = 0;
     std::memcpy(&value, four_bytes, 4);
     const std::uint64_t left = object_.size() - at_ + bytes_.upper_bound();
-    const std::uint64_t limit = std::clamp(left, harmless_length, longest_length);
+    const std::uint64_t limit = std::clamp(left, always_accepted_length, length_max);
     if (value <= limit || is_negated_size(value) || settled_.count(getPosition()) > 0) return;
     parse_errors_.push_back({value, getPosition()});
     std::memcpy(four_bytes, &placeholder_, 4);

@@ -14,8 +14,8 @@ namespace flownav::io {
 
 namespace {
 
-/// MRPT's convention; its own CRawlog::detectImagesDirectory() of 2.5.8 loses the separator in front of the
-/// name.
+/// Folder of external images by MRPT's convention. CRawlog::detectImagesDirectory() of MRPT 2.5.8 loses the
+/// separator before the name.
 std::filesystem::path find_images_directory(const std::filesystem::path& file) {
     for (const char* ending : {"_Images", "_images", "_IMAGES"}) {
         auto folder = file.parent_path() / (file.stem().string() + ending);
@@ -28,7 +28,7 @@ std::filesystem::path find_images_directory(const std::filesystem::path& file) {
 
 namespace {
 
-/// What was unpacked but not yet handed out, and what later objects depend on.
+/// Observations not yet returned, and the state that later objects depend on.
 struct Unpacked {
     std::deque<mrpt::obs::CObservation::Ptr> waiting;
     ActionOdometry actions;

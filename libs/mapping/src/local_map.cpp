@@ -13,8 +13,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector2i;
 
-// Of being FREE, in thousandths: what was seen to be free for long becomes occupied after two or three sights
-// too.
+// Of being FREE, in thousandths. Limits the evidence for free ground, so that two or three sights of an
+// obstacle make it occupied.
 constexpr int log_odds_max = 800;
 
 int thousandths(double p_free) {
@@ -26,16 +26,16 @@ float probability(int log_odds) {
     return static_cast<float>(1.0 / (1.0 + std::exp(-1e-3 * log_odds)));
 }
 
-/// A power of two, so that wrapping an index is a matter of its last bits.
+/// Side of the rolling grid: a power of two, which wraps fastest.
 int side_of(const MapParams& params) {
-    // A turned square and the evidence just outside it must not meet themselves in the ring.
+    // Holds the local map at any heading, and the evidence just outside it.
     const double wanted = 1.6 * params.size_m / params.resolution_m;
     int side = 1;
     while (side < wanted) side *= 2;
     return side;
 }
 
-/// True when the pose lies where cells have numbers. False for NaN.
+/// True when the cells around the pose fit an int. False for NaN.
 bool has_cell(const Pose2& pose) {
     constexpr double far_m = 1e6;
     return std::abs(pose.x_m) < far_m && std::abs(pose.y_m) < far_m && std::isfinite(pose.yaw_rad);
@@ -49,8 +49,7 @@ Eigen::Isometry2d isometry(const Pose2& pose) {
 
 LocalMap::LocalMap(const MapParams& params)
     : params_(params),
-      side_(side_of(params)),
-      cells_(static_cast<std::size_t>(side_) * side_),
+      cells_({Vector2d::Zero(), params.resolution_m}, side_of(params)),
       grid_(static_cast<float>(-params.size_m / 2), static_cast<float>(params.size_m / 2),
             static_cast<float>(-params.size_m / 2), static_cast<float>(params.size_m / 2),
             static_cast<float>(params.resolution_m)) {}
@@ -61,7 +60,7 @@ void LocalMap::insert(const ObstacleSet& set) {
         forget(history_.front());
         history_.pop();
     }
-    const GridFrame frame{Vector2d::Zero(), params_.resolution_m};
+    const GridFrame& frame = cells_.frame();
     const Vector2i middle = frame.cell_of({set.T_map_robot.x_m, set.T_map_robot.y_m});
     gather_evidence(set, set.T_map_robot, frame, evidence_);
     Remembered& remembered = history_.push();
@@ -69,7 +68,7 @@ void LocalMap::insert(const ObstacleSet& set) {
     remembered.number = ++sets_;
     remembered.entries.clear();
     for (const Evidence& e : evidence_) {
-        if ((e.cell - middle).cwiseAbs().maxCoeff() >= side_ / 2) continue;
+        if ((e.cell - middle).cwiseAbs().maxCoeff() >= cells_.side() / 2) continue;
         remembered.entries.push_back({e.cell, add({e.cell, thousandths(e.p_free)})});
     }
     movers_m_.clear();
@@ -81,7 +80,7 @@ void LocalMap::insert(const ObstacleSet& set) {
 
 void LocalMap::redraw(const Pose2& T_map_robot) {
     if (!has_cell(T_map_robot)) return;
-    const GridFrame frame{Vector2d::Zero(), params_.resolution_m};
+    const GridFrame& frame = cells_.frame();
     const int columns = static_cast<int>(grid_.getSizeX());
     const int rows = static_cast<int>(grid_.getSizeY());
     const Eigen::Isometry2d T = isometry(T_map_robot);
@@ -91,48 +90,38 @@ void LocalMap::redraw(const Pose2& T_map_robot) {
             grid_.setCell(x, y, probability(log_odds(frame.cell_of(p))));
         }
     }
-    // A cell that is askew may miss every middle of the grid: obstacles must not get lost.
+    // A rotated cell may contain no middle of a grid cell: draws occupied cells once more by their own
+    // middle.
     const Eigen::Isometry2d T_robot_map = T.inverse();
     const GridArea of_robot = area_of(grid_);
-    for (const Cell& cell : cells_) {
-        if (cell.log_odds >= 0) continue;
-        const Vector2i at = of_robot.cell_of(T_robot_map * frame.middle_of(cell.index));
-        grid_.setCell(at.x(), at.y(), std::min(grid_.getCell(at.x(), at.y()), probability(cell.log_odds)));
-    }
+    cells_.for_each([&](const Vector2i& cell, const Sum& sum) {
+        if (sum.log_odds >= 0) return;
+        const Vector2i at = of_robot.cell_of(T_robot_map * frame.middle_of(cell));
+        grid_.setCell(at.x(), at.y(), std::min(grid_.getCell(at.x(), at.y()), probability(sum.log_odds)));
+    });
     for (const Vector2d& mover_m : movers_m_) {
         const Vector2i at = of_robot.cell_of(T_robot_map * mover_m);
         grid_.updateCell(at.x(), at.y(), static_cast<float>(p_free_of_mover));
     }
 }
 
-std::size_t LocalMap::place_of(const Vector2i& index) const {
-    const int last = side_ - 1;
-    return static_cast<std::size_t>(index.y() & last) * static_cast<std::size_t>(side_) +
-           static_cast<std::size_t>(index.x() & last);
-}
-
-LocalMap::Cell& LocalMap::place(const Vector2i& index) {
-    return cells_[place_of(index)];
-}
-
-int LocalMap::log_odds(const Vector2i& index) const {
-    const Cell& cell = cells_[place_of(index)];
-    return cell.index == index ? cell.log_odds : 0;
+int LocalMap::log_odds(const Vector2i& cell) const {
+    const Sum* const sum = cells_.find(cell);
+    return sum ? sum->log_odds : 0;
 }
 
 int LocalMap::add(const Entry& entry) {
-    Cell& cell = place(entry.index);
-    if (cell.index != entry.index) cell = {entry.index, 0, sets_};
-    const int before = cell.log_odds;
-    cell.log_odds = std::min(before + entry.log_odds, std::max(before, log_odds_max));
-    return cell.log_odds - before;
+    Sum& sum = cells_.claim(entry.cell, {0, sets_});
+    const int before = sum.log_odds;
+    sum.log_odds = std::min(before + entry.log_odds, std::max(before, log_odds_max));
+    return sum.log_odds - before;
 }
 
 void LocalMap::forget(const Remembered& old) {
     for (const Entry& entry : old.entries) {
-        Cell& cell = place(entry.index);
-        // A cell that gave its place away and came back since knows nothing of it.
-        if (cell.index == entry.index && cell.since <= old.number) cell.log_odds -= entry.log_odds;
+        Sum* const sum = cells_.find(entry.cell);
+        // A cell that lost its place and claimed it again later does not hold this evidence.
+        if (sum && sum->since <= old.number) sum->log_odds -= entry.log_odds;
     }
 }
 

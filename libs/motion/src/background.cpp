@@ -9,7 +9,7 @@ namespace {
 
 constexpr double cluster_share_min = 0.08;
 
-/// Samples first .. last - 1, neighbours in omega.
+/// Samples first .. last - 1 of a list sorted by omega.
 struct Cluster {
     std::size_t first = 0, last = 0;
     double spread = -1.0;

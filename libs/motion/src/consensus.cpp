@@ -12,14 +12,16 @@ constexpr int lines = 6;
 constexpr std::size_t cells = std::size_t{columns} * lines;
 constexpr int cell_inliers_min = 2;
 constexpr int pairs_tried = 40;
-constexpr double continuity_bonus = 2.0;  // a rotation as predicted needs only half the support
-constexpr double determinant_min = 1e-3;  // relative; vectors that say nearly the same
+constexpr double continuity_bonus =
+    2.0;  // a rotation within the prediction's tolerance needs only half the support
+constexpr double determinant_min = 1e-3;  // relative; below, the two equations are nearly parallel
 
 bool better(const Support& a, const Support& b) {
     return a.cells != b.cells ? a.cells > b.cells : a.vectors > b.vectors;
 }
 
-/// The best of what was tried, apart for rotations that continue the last motion and for all others.
+/// The best rotation evaluated so far, kept separately for rotations within the prediction's tolerance and
+/// for all others.
 struct HypothesisSet {
     MotionScratch& scratch;
     const MotionPrediction& prediction;
@@ -38,7 +40,8 @@ struct HypothesisSet {
     }
 };
 
-/// The rotation that two vectors agree on; without pitch the one of the first alone.
+/// Solves the equations of two vectors for the rotation; MotionModel::Yaw uses the first one only. Returns
+/// false when they do not determine it.
 bool turn_of(const MotionScratch::RotationEquation& p, const MotionScratch::RotationEquation& q,
              MotionModel model, RotationHypothesis& turn) {
     if (model == MotionModel::Yaw) {
@@ -53,7 +56,7 @@ bool turn_of(const MotionScratch::RotationEquation& p, const MotionScratch::Rota
     return true;
 }
 
-/// Pairs spread evenly over all pairs, always the same ones.
+/// Evaluates pairs of equations, spread evenly over all pairs by a fixed low-discrepancy sequence.
 void evaluate_pairs(HypothesisSet& hypotheses, MotionModel model) {
     constexpr double plastic = 1.32471795724474602596;  // x^3 = x + 1
     const auto n = static_cast<double>(hypotheses.scratch.rotation_equations.size());

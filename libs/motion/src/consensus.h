@@ -5,49 +5,51 @@
 
 namespace flownav::motion {
 
-/// A rotation that is tried.
+/// A candidate for the rotation between the reference and the newer field.
 struct RotationHypothesis {
     double omega_rad = 0.0;
     double pitch_rad = 0.0;
 };
 
-/// How many standard deviations the vector of a row is away from a rotation.
+/// Signed residual of an equation for a rotation, in standard deviations of its vector.
 inline double residual(const MotionScratch::RotationEquation& row, const RotationHypothesis& turn) {
     return row.measured - row.turn * turn.omega_rad - row.pitch * turn.pitch_rad;
 }
 
-/// Divides the image into 8 x 6 cells, and makes a vote of every row.
+/// Fills scratch.inlier_counts from scratch.rotation_equations and divides the area of the vectors into 8 x 6
+/// cells.
 void prepare_inlier_counts(MotionScratch& scratch);
 
-/// Over how much of the image the vectors agree with a rotation. A cell counts when most of its vectors, and
-/// two at least, agree: many vectors on something close together weigh no more than few all over.
+/// Support of a rotation. A cell counts when more than half of its vectors, and at least two, agree. Counting
+/// cells keeps many vectors on one small object from outweighing few vectors over the whole image.
 struct Support {
-    int cells = 0;      ///< that agree
-    int all_cells = 0;  ///< that have two vectors or more
+    int cells = 0;      ///< cells that agree
+    int all_cells = 0;  ///< cells with at least two vectors
     int vectors = 0;
 
     double share() const { return all_cells > 0 ? static_cast<double>(cells) / all_cells : 0.0; }
 };
 
-/// After prepare_inlier_counts(). A vector agrees with a rotation within its own error, or what the method
-/// itself errs, and within lambda, across e.
+/// Counts the support of a rotation; needs prepare_inlier_counts(). A vector agrees when its distance across
+/// e is below `lambda_px` and below 3 of its standard deviations or 0.4 px, whichever is larger.
 Support support_of(MotionScratch::InlierCounts& inlier_counts, const RotationHypothesis& turn,
                    double lambda_px);
 
 struct Consensus {
     RotationHypothesis turn;
     Support support;
-    bool as_predicted = false;  ///< within the prediction's tolerance
+    bool as_predicted = false;  ///< the turn lies within the prediction's tolerance
 };
 
-/// True for a predicted rotation with so much support that no rotation outside the prediction's tolerance
-/// could win against it in find_consensus(). Another one within the tolerance could; fit_rotation() comes to
-/// the same rotation from either.
+/// True when the support of a predicted rotation is so large that no rotation outside the prediction's
+/// tolerance can win against it in find_consensus(). Another rotation within the tolerance may have more
+/// support; fit_rotation() converges to the same rotation from both.
 bool outvotes_every_other_motion(const Consensus& predicted);
 
-/// The rotation to start from: the one with the widest support among the predicted one, the background of
-/// [S] and the rotations that pairs of vectors stand for. A rotation as predicted wins against another with
-/// up to twice its support: what moves across a large part of the view does not turn the robot.
+/// Returns the rotation with the largest support among the prediction, the background of [S]
+/// (`background_rad`) and the rotations of pairs of vectors. A rotation within the prediction's tolerance
+/// wins against others with up to twice its support, so that a large dynamic object is not taken for a turn
+/// of the robot.
 Consensus find_consensus(MotionScratch& scratch, double background_rad, const MotionPrediction& prediction,
                          const MotionParams& params);
 

@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int travel_rounds = 2;  // e depends on the travel that it measures
+constexpr int travel_rounds = 2;  // e depends on the direction of the travel, which the first round measures
 
 Vector2d direction_of(const Vector2d& travel) {
     const double length = travel.norm();

@@ -19,13 +19,14 @@ constexpr int angles = PairEquations::angles;
 constexpr int unknowns = PairEquations::unknowns;
 constexpr int vectors_min = 24;
 constexpr int steps = 4;
-constexpr double far_share = 1.0 / 3.0;    // of a y + b at the lower border
-constexpr double aside_max_heights = 2.0;  // beside the robot: roads have edges
+constexpr double far_share = 1.0 / 3.0;  // share of a y + b at the lower border
+constexpr double aside_max_heights =
+    2.0;  // in camera heights, to either side of the optical axis: roads have edges
 constexpr double below_horizon_min_of_all = 0.02;
 constexpr double noise_factor_min = 0.3;
 constexpr double noise_factor_max = 30.0;
 constexpr double close_deviations = 3.5;
-constexpr double median_of_norm = 1.1774;  // of a Gaussian in two dimensions of deviation 1
+constexpr double median_of_norm = 1.1774;  // of a two-dimensional Gaussian with deviation 1
 
 struct Ends {
     Vector2d begin, end;
@@ -36,7 +37,7 @@ Ends ends_of(const RayFlow& ray, Geometry geometry) {
     return {begin, begin + ray.flow};
 }
 
-/// The homography of the ground, and its derivatives for all unknowns.
+/// Homography of the ground and its derivatives by all unknowns.
 struct Model {
     Matrix3d H;
     std::array<Matrix3d, unknowns> dH;
@@ -60,7 +61,7 @@ Model model_at(const CameraMount& mount, const PairMotion& motion) {
     return model;
 }
 
-/// One vector in units of its deviation: residual, and how the prediction changes with the unknowns.
+/// Residual of one vector in units of its standard deviation.
 Vector2d residual_of(const Ends& ends, const Vector2d& sigma, const Matrix3d& H) {
     return (ends.end - (H * ends.begin.homogeneous()).hnormalized()).cwiseQuotient(sigma);
 }
@@ -89,7 +90,7 @@ struct NearGround {
         return below >= below_horizon_min && std::abs(ray.at.x()) <= aside_max_heights * below;
     }
 
-    /// 0 for the farthest vectors that count, 1 at the lower border.
+    /// Share of the way from the farthest near ground (0) to the lower border (1).
     double nearness(const RayFlow& ray) const {
         const double far = below_horizon_min;
         return std::clamp((plane.below_horizon(ray.at) - far) / (far / far_share - far), 0.0, 1.0);
@@ -109,7 +110,7 @@ double robust_noise(const std::vector<RayFlow>& rays, const NearGround& near, co
     return std::clamp(*middle / median_of_norm, noise_factor_min, noise_factor_max);
 }
 
-/// One step: the equations at the motion so far. Counts what agrees.
+/// Sets up the equations at the current motion and counts the agreeing vectors in `fit`.
 PairEquations equations_at(const Model& model, const std::vector<RayFlow>& rays, const CameraModel& camera,
                            Geometry geometry, PairFit& fit) {
     const NearGround near(camera);

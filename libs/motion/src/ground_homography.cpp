@@ -10,7 +10,7 @@ using Eigen::AngleAxisd;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Turns rays of the level camera of pitch rho into robot axes (forward, left, up).
+/// R_robot_camera: rotates rays of the level camera of pitch rho into robot axes (forward, left, up).
 Matrix3d robot_axes(double pitch_rad) {
     const double a = std::cos(pitch_rad);
     const double b = std::sin(pitch_rad);
@@ -21,7 +21,7 @@ Matrix3d robot_axes(double pitch_rad) {
     return C;
 }
 
-/// The homography of a camera whose angles are right.
+/// Homography of a camera whose true angles are those of the mount.
 Matrix3d true_homography(const CameraMount& mount, const PairMotion& m) {
     const Matrix3d C = robot_axes(mount.pitch_rad);
     const Matrix3d turn = AngleAxisd(-m.omega_rad(), Vector3d::UnitZ()).toRotationMatrix();
@@ -29,7 +29,7 @@ Matrix3d true_homography(const CameraMount& mount, const PairMotion& m) {
     const double heading = m.omega_rad() / 2 + m.chord_rad;
     const Vector3d chord = m.heights() * Vector3d(std::cos(heading), std::sin(heading), 0.0);
     const Vector3d shift = turn * (offset - chord) - offset;
-    // -C.row(2) is the ground's normal: times a ray it is the height over the ray's depth.
+    // -C.row(2) is the ground's normal; its product with a ray is the ratio of height to depth.
     const Matrix3d level = C.transpose() * (turn * C - shift * C.row(2));
     const AngleAxisd pitch(-m.pitch_rad(), Vector3d::UnitX());
     const AngleAxisd roll(m.roll_rad(), Vector3d::UnitZ());

@@ -7,7 +7,8 @@
 
 namespace flownav::motion {
 
-/// Motion between two fields as its flow shows it: turn, pitch and roll in radians, and travel over height.
+/// Motion between two fields as the flow determines it: turn, pitch and roll in rad, and travel in camera
+/// heights.
 struct PairMotion {
     static constexpr int turn = 0, pitch = 1, roll = 2, travel = 3, size = 4;
     Eigen::Vector4d values = Eigen::Vector4d::Zero();
@@ -25,8 +26,8 @@ struct PairMotion {
     double heights() const { return values[travel]; }
 };
 
-/// Where a ray of the reference that meets the ground is in the newer field, both in the level coordinates
-/// that `mount` gives them, while the true angles of the camera are mount + error. Exact for finite motion.
+/// H_newer_reference: maps rays of the ground from the reference to the newer field, both in the level
+/// coordinates of `mount`, when the true angles of the camera are mount + error. Exact for finite motion.
 Eigen::Matrix3d ground_homography(const CameraMount& mount, const MountAngles& error,
                                   const PairMotion& motion);
 

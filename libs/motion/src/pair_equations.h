@@ -17,8 +17,8 @@ class PairEquations {
     using Jacobian = Eigen::Matrix<double, 2, unknowns>;
     using Own = Eigen::Matrix<double, PairMotion::size, 1>;
 
-    /// `depth_share`: 0 for the farthest of the near floor, 1 at the lower border; `pixel`: one pixel in the
-    /// units of the residual.
+    /// Adds one vector. `depth_share`: 0 at the farthest near floor, 1 at the lower border; `pixel`: size of
+    /// one pixel in the units of the residual.
     void add(const Jacobian& J, const Eigen::Vector2d& residual, double weight, double depth_share,
              const Eigen::Vector2d& pixel) {
         const Column gradient = weight * J.transpose() * residual;
@@ -29,7 +29,7 @@ class PairEquations {
         strips_.rightCols<2>() += weight * J.transpose() * error.asDiagonal();
     }
 
-    /// What is known of the pair's pitch and roll beforehand.
+    /// Adds the prior of the pair's pitch and roll: mean zero, deviations of `pitch_prior`.
     void expect(const PairMotion& own, const PitchPrior& pitch_prior) {
         for (const auto& [i, sigma_rad] : {std::pair(PairMotion::pitch, pitch_prior.pitch_rad),
                                            std::pair(PairMotion::roll, pitch_prior.roll_rad)}) {
@@ -39,19 +39,21 @@ class PairEquations {
         }
     }
 
-    /// The step of the pair's own motion, with the angles as they are.
+    /// Returns the Gauss-Newton step of the pair's own motion at fixed angles; empty when it is not
+    /// determined.
     std::optional<Own> own_step() const {
         const Eigen::LDLT<Eigen::Matrix4d> own(N_.bottomRightCorner<PairMotion::size, PairMotion::size>());
         if (own.info() != Eigen::Success || own.rcond() < rcond_min) return std::nullopt;
         return Own(own.solve(g_.tail<PairMotion::size>()));
     }
 
-    /// The equations of the angles alone (Schur complement); no pairs when they cannot be told apart.
+    /// Returns the equations of the angles alone (Schur complement); no pairs when the pair's own motion is
+    /// not determined.
     PoseEquations eliminated() const {
         PoseEquations e;
         const Eigen::LDLT<Eigen::Matrix4d> own(N_.bottomRightCorner<PairMotion::size, PairMotion::size>());
         if (own.info() != Eigen::Success || own.rcond() < rcond_min) return e;
-        // Angles and own motion -> angles alone.
+        // E maps equations of angles and own motion to equations of the angles.
         Eigen::Matrix<double, angles, unknowns> E;
         E.leftCols<angles>().setIdentity();
         E.rightCols<PairMotion::size>() =
@@ -66,7 +68,8 @@ class PairEquations {
 
   private:
     static constexpr int strips = 8;
-    static constexpr double matching_error_px = 0.02;  // of block matching, in rows of one distance alike
+    static constexpr double matching_error_px =
+        0.02;  // of block matching; equal for all vectors of one distance
     static constexpr double rcond_min = 1e-12;
     using Normal = Eigen::Matrix<double, unknowns, unknowns>;
     using Column = Eigen::Matrix<double, unknowns, 1>;

@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Matrix3d;
 
-/// With a weak belief in the mount as it is, so that what is not seen stays.
+/// Covariance of the angles, with a weak prior at zero correction for angles that the pairs do not determine.
 Matrix3d covariance_of(const PoseEquations& e) {
     const Matrix3d A = e.information + Matrix3d::Identity() / (unknown_angle_rad * unknown_angle_rad);
     return A.inverse();
@@ -34,7 +34,7 @@ PoseEquations& PoseEquations::operator+=(const PoseEquations& other) {
 
 PoseCorrection solve(const PoseEquations& e) {
     const Matrix3d covariance = covariance_of(e);
-    // What the vectors' own deviations say knows nothing of errors that a pair's vectors share: the pairs do.
+    // The information does not cover errors common to the vectors of a pair; the scatter between pairs does.
     const Matrix3d S = e.scatter - e.gradient * e.gradient.transpose() / std::max(1, e.pairs);
     const Matrix3d between_pairs = covariance * S * covariance;
     return {covariance * e.gradient,

@@ -12,15 +12,16 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double horizon_margin = 0.06;  // a y + b below which (4) is too noisy to start from
+constexpr double horizon_margin =
+    0.06;  // smallest a y + b of a vector in the background: below, Eq. (4) is too noisy
 constexpr double noise_factor_min = 0.5;
 constexpr double noise_factor_max = 3.0;
-constexpr double cluster_gap_px = 0.2;  // between vectors of one background
+constexpr double cluster_gap_px = 0.2;  // largest gap between neighbours of one cluster
 constexpr int biweight_steps = 4;
-constexpr double settled_deviations = 0.01;  // a step that changes the turn by less is the last
-constexpr double determinant_min = 1e-3;     // relative; below yaw and pitch cannot be told apart
+constexpr double settled_deviations = 0.01;  // the iteration ends at a smaller change of the turn
+constexpr double determinant_min = 1e-3;     // relative; below, yaw and pitch cannot be separated
 
-/// omega of the background after [S].
+/// omega of the background after [S], in rad.
 double background(const std::vector<MotionSample>& samples, const CameraModel& camera,
                   const Vector2d& direction, MotionScratch& scratch) {
     const PlaneGeometry plane(camera.mount);
@@ -32,7 +33,7 @@ double background(const std::vector<MotionSample>& samples, const CameraModel& c
     return background_omega(scratch.omegas, cluster_gap_px / camera.fx_px, scratch.values);
 }
 
-/// From the vectors that may belong: what is far off says nothing of the noise.
+/// Noise factor of the vectors near the rotation; vectors beyond 3 deviations and `lambda_px` are left out.
 double noise_factor_about(const RotationHypothesis& turn, double lambda_px, MotionScratch& scratch) {
     scratch.values.clear();
     for (const auto& row : scratch.rotation_equations) {
@@ -42,7 +43,7 @@ double noise_factor_about(const RotationHypothesis& turn, double lambda_px, Moti
     return noise_factor_of(scratch.values);
 }
 
-/// Weighted least squares; without pitch when the model has none or the vectors cannot tell it from yaw.
+/// Weighted least squares. The pitch is 0 when the model has none or the vectors cannot separate it from yaw.
 void solve(const MotionScratch& scratch, MotionModel model, Rotation& r) {
     double tt = 0, tp = 0, pp = 0, tm = 0, pm = 0;
     for (const auto& row : scratch.rotation_equations) {
@@ -76,7 +77,8 @@ double omega_of(const RayFlow& ray, const PlaneGeometry& plane, const Vector2d& 
     return cross(e, ray.flow) / cross(e, plane.h(ray.at));
 }
 
-// The part of f = (S/Z) e + omega h + pitch p across e knows neither S nor Z: one equation a vector.
+// The component of f = (S/Z) e + omega h + pitch p across e depends neither on S nor on Z: one equation per
+// vector.
 void set_up_rotation(const std::vector<MotionSample>& samples, const CameraModel& camera,
                      const Vector2d& direction, const RotationHypothesis& near, Geometry geometry,
                      MotionScratch& scratch) {

@@ -11,23 +11,23 @@ struct Rotation {
     Support support;
 };
 
-/// The equations across e of all samples, in scratch.across. They are (4) before its division, each in units
-/// of its deviation: the horizon is no special place for them. Linear in the rotation about `near`, which
-/// makes them exact there. `direction`: unit vector of the camera's travel, (forward, left).
+/// Fills scratch.rotation_equations with the equations across e of all samples. They are Eq. (4) before its
+/// division, each in units of its standard deviation, and have no singularity on the horizon. They are
+/// linearised at the rotation `near`. `direction`: unit vector of the camera's travel, (forward, left).
 void set_up_rotation(const std::vector<MotionSample>& samples, const CameraModel& camera,
                      const Eigen::Vector2d& direction, const RotationHypothesis& near, Geometry geometry,
                      MotionScratch& scratch);
 
-/// The rotation with the widest support among the samples.
+/// Returns the predicted rotation when its support suffices, else the result of find_consensus().
 Consensus start_rotation(const std::vector<MotionSample>& samples, const CameraModel& camera,
                          const Eigen::Vector2d& direction, const MotionPrediction& prediction,
                          const MotionParams& params, MotionScratch& scratch);
 
-/// Biweight steps from a start on the equations in scratch.across.
+/// Refines a rotation by biweight steps on scratch.rotation_equations.
 Rotation fit_rotation(const RotationHypothesis& start, const MotionParams& params, MotionScratch& scratch);
 
-/// Robust deviation of residuals that are in units of their expected deviation, kept within reason: outliers
-/// must not make it look worse than it is. Reorders the residuals.
+/// Robust deviation of residuals in units of their expected deviation, limited to 0.5..3 so that outliers do
+/// not inflate it. Reorders the residuals.
 double noise_factor_of(std::vector<double>& residuals);
 
 }  // namespace flownav::motion

@@ -9,19 +9,20 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double near_share = 0.5;     // of a y + b at the lower border: the near floor
-constexpr int window_support_min = 6;  // vectors of the ground window
-constexpr int floor_support_min = 12;  // vectors anywhere on the floor, when the window has too few
+constexpr double near_share =
+    0.5;  // smallest a y + b of the near floor, as a share of its value at the lower border
+constexpr int window_support_min = 6;  // vectors needed in the ground window
+constexpr int floor_support_min = 12;  // vectors needed on the near floor when the window has too few
 constexpr int biweight_steps = 2;
-constexpr double much_better = 0.8;  // share of the deviation
+constexpr double deviation_ratio_max = 0.8;  // of floor to window at which the floor is taken
 
-/// a y + b from which on the floor is near.
+/// Smallest a y + b of the near floor.
 double near_floor(const CameraModel& camera, const PlaneGeometry& plane) {
     return near_share * plane.below_horizon({0.0, (camera.height_px - camera.cy_px) / camera.fy_px});
 }
 
-/// Travel of every vector that looks at the near floor and fits the rotation; those of the ground window
-/// apart as well.
+/// Fills scratch.floor with the travel of every vector that sees the near floor and fits the rotation, and
+/// scratch.window with those of the ground window.
 void floor_travels(const std::vector<MotionSample>& samples, const CameraModel& camera,
                    const Vector2d& direction, const Rotation& r, const MotionParams& params,
                    MotionScratch& scratch) {
@@ -38,7 +39,7 @@ void floor_travels(const std::vector<MotionSample>& samples, const CameraModel& 
         const Vector2d& d = travel.flow;
         // Eq. (11)
         if (std::abs(cross(e, d)) > params.lambda_px * deviation_of_cross(e, one_px)) continue;
-        // Eq. (10), over the depth of the ground
+        // Eq. (10), times the depth of the ground
         const double of_ground = 1.0 / (e.squaredNorm() * plane.ground_inverse_depth(travel.at));
         const MotionScratch::TravelEquation row{e.dot(d) * of_ground,
                                                 deviation_of_dot(e, s.ray.sigma) * of_ground};
@@ -83,9 +84,9 @@ Travel fit_travel(const std::vector<MotionSample>& samples, const CameraModel& c
     const Travel floor = robust_mean(scratch.floor, scratch.values);
     const bool anchored = window.support >= window_support_min;
     if (floor.support < floor_support_min) return anchored ? window : Travel{};
-    // More vectors are better where those of the window are few and poor, and only if they say the same.
+    // The whole floor is taken when it agrees with the window and is clearly more precise.
     const bool same = std::abs(floor.along_m - window.along_m) < 3.0 * window.sigma_m;
-    return anchored && !(same && floor.sigma_m < much_better * window.sigma_m) ? window : floor;
+    return anchored && !(same && floor.sigma_m < deviation_ratio_max * window.sigma_m) ? window : floor;
 }
 
 }  // namespace flownav::motion

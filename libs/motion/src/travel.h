@@ -4,15 +4,16 @@
 
 namespace flownav::motion {
 
-/// Travel of the CAMERA along its direction; `support`: vectors that agree, 0 when it could not be measured.
+/// Travel of the CAMERA along its direction. `support`: number of agreeing vectors, 0 when it could not be
+/// measured.
 struct Travel {
     double along_m = 0.0;
     double sigma_m = 0.0;
     int support = 0;
 };
 
-/// Eq. (12) over the ground window: shorth for a start, then biweight steps. Over all of the near floor when
-/// the window shows too little, or when that says the same much more precisely.
+/// Eq. (12) over the ground window: shorth as the start, then biweight steps. Uses the whole near floor when
+/// the window has too few vectors, or when the floor agrees with it and is much more precise.
 Travel fit_travel(const std::vector<MotionSample>& samples, const CameraModel& camera,
                   const Eigen::Vector2d& direction, const Rotation& rotation, const MotionParams& params,
                   MotionScratch& scratch);

@@ -14,13 +14,15 @@
 #include <stdexcept>
 #include <string>
 
+#include "flownav/math/units.h"
+
 namespace flownav::nav {
 namespace {
 
 using Eigen::Vector2d;
 using mrpt::nav::CLogFileRecord;
 
-constexpr int paths = 121;  // of the circular paths that the viewer shows
+constexpr int paths = 121;  // number of circular paths that the viewer shows
 
 std::filesystem::path free_name(const std::filesystem::path& folder) {
     for (int number = 0;; ++number) {
@@ -31,7 +33,7 @@ std::filesystem::path free_name(const std::filesystem::path& folder) {
 }
 
 void add_obstacles(const LaneTables& tables, const mrpt::maps::COccupancyGridMap2D& map,
-                   const CellLimits& limits, CLogFileRecord& record) {
+                   const mapping::OccupancyLimits& limits, CLogFileRecord& record) {
     const std::vector<CellKind> kinds = kinds_of(map, limits);
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         if (kinds[i] != CellKind::Occupied) continue;
@@ -41,7 +43,7 @@ void add_obstacles(const LaneTables& tables, const mrpt::maps::COccupancyGridMap
     record.WS_Obstacles_original = record.WS_Obstacles;
 }
 
-/// MRPT's circular paths, which are lanes evenly spaced in curvature.
+/// Returns MRPT's circular paths: lanes evenly spaced in curvature.
 mrpt::nav::CParameterizedTrajectoryGenerator::Ptr circular_paths(const LaneTables& tables) {
     const double v_max_mps = tables.robot.v_max_mps;
     mrpt::config::CConfigFileMemory config;
@@ -49,7 +51,7 @@ mrpt::nav::CParameterizedTrajectoryGenerator::Ptr circular_paths(const LaneTable
     config.write("ptg", "refDistance", tables.layout.length_m);
     config.write("ptg", "num_paths", paths);
     config.write("ptg", "v_max_mps", v_max_mps);
-    config.write("ptg", "w_max_dps", v_max_mps / tables.layout.radius_min_m * 180.0 / M_PI);
+    config.write("ptg", "w_max_dps", deg(v_max_mps / tables.layout.radius_min_m));
     config.write("ptg", "K", 1.0);
     auto ptg = std::make_shared<mrpt::nav::CPTG_DiffDrive_C>();
     ptg->loadFromConfigFile(config, "ptg");
@@ -59,7 +61,7 @@ mrpt::nav::CParameterizedTrajectoryGenerator::Ptr circular_paths(const LaneTable
     return ptg;
 }
 
-/// Index of the lane that is nearest to one of these paths.
+/// Returns the index of the lane nearest to a circular path.
 std::size_t lane_of(const LaneTables& tables, Eigen::Index path) {
     const double share = 2.0 * (static_cast<double>(path) + 0.5) / paths - 1.0;
     const double curvature_1pm = share / tables.layout.radius_min_m;
@@ -72,7 +74,7 @@ std::size_t lane_of(const LaneTables& tables, Eigen::Index path) {
     return before ? index - 1 : index;
 }
 
-/// The free ways of the lanes as the obstacles of the circular paths.
+/// Converts the free distances of the lanes to obstacles of the circular paths.
 CLogFileRecord::TInfoPerPTG lanes_of(const LaneTables& tables, const LaneDecision& decision) {
     CLogFileRecord::TInfoPerPTG info;
     info.PTG_desc = "flownav lanes, from hard right to hard left";
@@ -107,7 +109,7 @@ LaneLog::LaneLog(const std::filesystem::path& folder) {
 }
 
 void LaneLog::write(const LaneTables& tables, const Situation& situation, const Vector2d& waypoint_robot_m,
-                    const CellLimits& limits, const LaneDecision& decision) {
+                    const mapping::OccupancyLimits& limits, const LaneDecision& decision) {
     CLogFileRecord record;
     record.nPTGs = 1;
     record.infoPerPTG.push_back(lanes_of(tables, decision));

@@ -12,15 +12,15 @@ namespace flownav::nav {
 /// Writes decisions as MRPT's CLogFileRecord, which navlog-viewer shows.
 class LaneLog {
   public:
-    /// Makes the first file log_NNN.reactivenavlog that is not there yet. Throws std::runtime_error.
+    /// Creates the first unused file log_NNN.reactivenavlog. Throws std::runtime_error.
     explicit LaneLog(const std::filesystem::path& folder);
 
     void write(const LaneTables& tables, const Situation& situation, const Eigen::Vector2d& waypoint_robot_m,
-               const CellLimits& limits, const LaneDecision& decision);
+               const mapping::OccupancyLimits& limits, const LaneDecision& decision);
 
   private:
     mrpt::io::CFileGZOutputStream file_;
-    bool first_ = true;  ///< record, which tells the viewer how the lanes run
+    bool first_ = true;  ///< the next record describes the lanes to the viewer
 };
 
 }  // namespace flownav::nav

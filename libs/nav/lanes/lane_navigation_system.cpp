@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double reached = 0.9;  // nearness of a lane that leads to a way point
+constexpr double reached = 0.9;  // nearness above which a lane counts as leading to a way point
 
 }  // namespace
 
@@ -24,7 +24,7 @@ CLaneNavigationSystem::CLaneNavigationSystem(GridRobot& robot, LaneTables tables
 }
 
 CLaneNavigationSystem::~CLaneNavigationSystem() {
-    m_timlog_delays.clear(true);  // or it writes its statistics to the console
+    m_timlog_delays.clear(true);  // otherwise it writes its statistics to the console
 }
 
 void CLaneNavigationSystem::performNavigationStep() {

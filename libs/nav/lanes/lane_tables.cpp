@@ -12,7 +12,7 @@
 namespace flownav::nav {
 namespace {
 
-constexpr double turn_max_rad = 2.6;  // of an arc: whoever wants to go back turns on the spot
+constexpr double turn_max_rad = 2.6;  // limit of an arc's turn; larger turns are made on the spot
 constexpr double unit_m = 0.001;
 constexpr double unit_rad = 0.001;
 
@@ -40,14 +40,14 @@ GridArea cells_of(const LaneLayout& layout) {
     return mapping::area_of({-half, half, -half, half, static_cast<float>(layout.resolution_m)});
 }
 
-/// Denser about straight on: there a small difference matters most.
+/// Spaces lanes more densely near straight ahead, where small differences matter most.
 double curvature_1pm(const LaneLayout& layout, int lane) {
     const int half = layout.lanes / 2;
     const double share = static_cast<double>(lane - half) / half;
     return share * std::pow(std::abs(share), 0.7) / layout.radius_min_m;
 }
 
-/// As far as the middle of the robot stays in the map.
+/// Limits a lane to poses whose centre stays in the map.
 double length_m(const LaneLayout& layout, double curvature, double reach_m) {
     const double in_map_m = layout.map_size_m / 2 - reach_m;
     const double turn_m = curvature == 0.0 ? layout.length_m : turn_max_rad / std::abs(curvature);

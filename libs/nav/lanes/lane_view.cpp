@@ -11,28 +11,29 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double unit_m = 0.001;     // of LaneCell::way
-constexpr double moving_mps = 0.05;  // slower has no curvature worth keeping
+constexpr double unit_m = 0.001;     // unit of LaneCell::way
+constexpr double moving_mps = 0.05;  // at lower speeds the curvature is ignored
 constexpr double turning_radps = 0.1;
-constexpr double weak_share = 0.03;  // of the lane's worth that a cell costs that may be an obstacle
-constexpr double away_m = 0.8;       // way that pointing straight away from the way point is as bad as
+// Reduction of LaneView::sure by one uncertain cell at the start of the lane.
+constexpr double weak_share = 0.03;
+constexpr double away_m = 0.8;  // distance equivalent to pointing straight away from the way point
 
-/// Pose at the end of `way_m` of a lane.
+/// Pose after `way_m` along a lane, in the robot's frame.
 Pose2 end_of(const LaneView& lane, double way_m) {
     const Pose2 turned{0.0, 0.0, lane.heading_rad};
     return compose(turned, pose_after({1.0, lane.curvature_1pm}, way_m));
 }
 
-/// Way along an arc, within 0..end_m, after which it is nearest to a point.
+/// Distance along an arc to its point nearest to `point_m`, within 0..end_m.
 double nearest_way_m(const LaneView& lane, const Vector2d& point_m, double end_m) {
     const Vector2d p = transform(Pose2{0.0, 0.0, -lane.heading_rad}, point_m);
     const double kappa = lane.curvature_1pm;
     if (std::abs(kappa) < 1e-6) return std::clamp(p.x(), 0.0, end_m);
     const double radius_m = 1.0 / kappa;
-    // Angle passed about the middle of the circle, in the direction of driving.
+    // Angle covered about the centre of the circle, in the direction of driving.
     double angle = std::atan2(p.x(), std::abs(radius_m) - std::copysign(1.0, kappa) * p.y());
     const double end_rad = end_m * std::abs(kappa);
-    // Behind the start: nearer to the start or to the end, whichever comes first on the way round.
+    // A point behind the start is nearest to the start or the end, whichever comes first along the circle.
     if (angle < 0.0) angle += 2.0 * M_PI;
     if (angle > end_rad) angle = angle - end_rad < 2.0 * M_PI - angle ? end_rad : 0.0;
     return angle / std::abs(kappa);
@@ -96,7 +97,8 @@ double free_turn_rad(const std::vector<LaneCell>& turn, const std::vector<CellKi
 double score(const LaneTables& tables, const LaneView& view, const MotionCommand& motion,
              const LaneParams& params) {
     const double free = std::min(1.0, view.free_m / params.free_enough_m);
-    const double tight = 1.0 - view.gap_m / tables.layout.side_m;  // the first centimetres count most
+    // Quadratic: the first centimetres weigh most.
+    const double tight = 1.0 - view.gap_m / tables.layout.side_m;
     double worth = params.weight_near * view.near + params.weight_free * free +
                    params.weight_gap * (1.0 - tight * tight) + params.weight_seen * view.seen +
                    params.weight_sure * view.sure;
@@ -107,7 +109,7 @@ double score(const LaneTables& tables, const LaneView& view, const MotionCommand
         worth += params.weight_same * (1.0 - std::abs(view.curvature_1pm - kappa) / (2.0 * kappa_max));
     }
     if (view.heading_rad == 0.0) return worth;
-    // Stopping to turn takes time, also for a small turn; whoever turns already has done it.
+    // Stopping to turn costs time even for a small turn; a robot that turns already has spent it.
     const bool turning =
         !moves && motion.omega_radps * view.heading_rad > 0.0 && std::abs(motion.omega_radps) > turning_radps;
     const double share = std::abs(view.heading_rad) / M_PI;

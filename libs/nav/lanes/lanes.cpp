@@ -10,7 +10,7 @@
 #include "flownav/mapping/grid_area.h"
 #include "flownav/nav/motion_model.h"
 #include "lane_view.h"
-#include "local/rollout.h"
+#include "local/can_still_stop.h"
 #include "turning.h"
 
 namespace flownav::nav {
@@ -19,14 +19,14 @@ namespace {
 using Eigen::Vector2d;
 using mrpt::maps::COccupancyGridMap2D;
 
-constexpr double least_turn_rad = 0.25;         // on the spot; less is done while driving
-constexpr double least_near_after_turn = -0.3;  // going round something may lead away at first
-constexpr double stands_mps = 0.1;              // fast enough to turn on the spot
+constexpr double least_turn_rad = 0.25;         // smaller turns are made while driving
+constexpr double least_near_after_turn = -0.3;  // after a turn, a detour may lead away at first
+constexpr double stands_mps = 0.1;              // slow enough to turn on the spot
 constexpr double squeeze_mps = 0.15;
 constexpr double unseen_depth_m = 0.05;  // of the smallest patch of unseen ground that counts
-constexpr double least_way_m = 0.05;     // shorter is no way
+constexpr double least_way_m = 0.05;     // shorter lanes are not open
 
-/// How far before an obstacle a robot must stand to be able to turn away from it on the spot.
+/// Distance to an obstacle ahead that leaves room to turn away from it on the spot.
 double room_to_turn_m(const Polygon& footprint_m) {
     double front_m = 0.0;
     for (const Vector2d& corner : footprint_m) front_m = std::max(front_m, corner.x());
@@ -83,7 +83,7 @@ class Choice {
     }
 
     bool turn_to(double angle_rad, const char* why) {
-        // Half a turn is all that the tables know; the rest follows when it is done.
+        // The tables cover half a turn; the rest is checked after it.
         const double first_rad = std::clamp(angle_rad, -M_PI + 1e-6, M_PI - 1e-6);
         if (!may_turn(first_rad)) return false;
         const bool stands = std::abs(motion_.v_mps) < stands_mps;
@@ -92,7 +92,7 @@ class Choice {
         return true;
     }
 
-    /// The best open lane, or heading to turn to, from which the robot could still stop.
+    /// Takes the best open lane, or heading to turn to, from which the robot could still stop.
     bool take_the_best() {
         const auto arcs = static_cast<int>(decision_.lanes.size());
         const auto view = [this, arcs](int i) -> const LaneView& {
@@ -136,7 +136,7 @@ class Choice {
         return true;
     }
 
-    /// Everything is too near: slowly along the best lane that the bare footprint finds.
+    /// Last resort: drives slowly along the best lane with the tight margin.
     bool squeeze() {
         const double slow_mps = std::min(squeeze_mps, tables_.robot.v_max_mps);
         const Lane* best = nullptr;

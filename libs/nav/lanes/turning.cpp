@@ -5,9 +5,9 @@
 namespace flownav::nav {
 namespace {
 
-constexpr double turning_radps = 0.1;  // and hardly moving: turns on the spot
+constexpr double turning_radps = 0.1;  // faster, and hardly moving forward: the robot turns on the spot
 constexpr double hardly_mps = 0.08;
-constexpr double gain_1ps = 2.5;  // omega for an angle left to turn
+constexpr double gain_1ps = 2.5;  // omega per remaining angle
 constexpr double least_radps = 0.25;
 
 }  // namespace

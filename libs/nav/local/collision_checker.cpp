@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "flownav/nav/jump_detector.h"
 #include "flownav/nav/motion_model.h"
+#include "local/contact_rule.h"
 
 namespace flownav::nav {
 namespace {
@@ -13,10 +15,7 @@ using Eigen::Vector2d;
 
 constexpr double outline_step_m = 0.05;
 constexpr double inside_cells = 0.75;
-constexpr double overspeed_factor = 1.5;  // a robot may be this much faster than its model
 constexpr double rounding_m = 1e-7;
-constexpr double inexact_m =
-    0.06;  // by which a map may show something inside the robot that stands before it
 
 /// Points all along the outline, a little inside, where the cells below the robot are driven over.
 std::vector<Vector2d> points_around(const Polygon& polygon, double inside_m) {
@@ -40,7 +39,8 @@ std::vector<Pose2> prolonged(std::vector<Pose2> path, const MotionCommand& comma
 
 }  // namespace
 
-CollisionChecker::CollisionChecker(const RobotModel& robot, const CollisionCheckerParams& params, double cell_m)
+CollisionChecker::CollisionChecker(const RobotModel& robot, const CollisionCheckerParams& params,
+                                   double cell_m)
     : robot_(robot),
       params_(params),
       cell_m_(cell_m),
@@ -60,40 +60,38 @@ double CollisionChecker::reach_m(const MotionCommand& motion) const {
 }
 
 Surroundings CollisionChecker::look(const GroundMemory& ground, double time_s, const Pose2& T_map_robot,
-                             const MotionCommand& motion) const {
-    Surroundings now{time_s, T_map_robot, motion, {}, std::numeric_limits<double>::infinity()};
-    now.motion.v_mps = std::clamp(motion.v_mps, -overspeed_factor * robot_.v_back_mps, overspeed_factor * robot_.v_max_mps);
-    now.motion.omega_radps =
-        std::clamp(motion.omega_radps, -overspeed_factor * robot_.omega_max_radps, overspeed_factor * robot_.omega_max_radps);
+                                    const MotionCommand& motion) const {
+    Surroundings now{
+        time_s, T_map_robot, plausible_motion(robot_, motion), {}, std::numeric_limits<double>::infinity()};
     const Pose2 T_robot_map = inverse(T_map_robot);
     const Vector2d here(T_map_robot.x_m, T_map_robot.y_m);
     for (const Vector2d& obstacle : ground.obstacles(here, reach_m(now.motion), time_s)) {
         const Vector2d p = transform(T_robot_map, obstacle);
         const double distance_m = signed_distance_m(robot_.footprint_m, p);
-        if (distance_m < -inexact_m) continue;  // what stands where the robot stands is none
+        if (ContactRule{}.is_ignored(distance_m)) continue;
         now.obstacles.push_back({p, distance_m});
         if (distance_m > 0.0) now.nearest_m = std::min(now.nearest_m, distance_m);
     }
     return now;
 }
 
-/// A crawling robot may stay as near as it is, but come no nearer.
-double CollisionChecker::margin_m(const Surroundings& now, const NearObstacle& obstacle,
-                           const MotionCommand& candidate) const {
+/// A fast robot keeps a margin that grows with its speed. A crawling one keeps touch_m, or the distance that
+/// it has when an obstacle is nearer already.
+ContactRule CollisionChecker::rule_for(const Surroundings& now, const MotionCommand& candidate) const {
     const double touch_m = params_.touch_m + cell_m_ / 2;
     const double fast_mps = outline_mps(candidate) - params_.crawl_mps;
-    if (fast_mps > rounding_m) return touch_m + params_.margin_s * fast_mps;
-    return std::min(touch_m, std::min(now.nearest_m, obstacle.distance_m) - rounding_m);
+    if (fast_mps > rounding_m)
+        return {touch_m + params_.margin_s * fast_mps, -std::numeric_limits<double>::infinity()};
+    return {std::min(touch_m, now.nearest_m - rounding_m), rounding_m};
 }
 
-bool CollisionChecker::touches(const Surroundings& now, const Pose2& T_robot_then, const MotionCommand& candidate,
-                        Vector2d& where_m) const {
+bool CollisionChecker::touches(const Surroundings& now, const Pose2& T_robot_then, const ContactRule& rule,
+                               Vector2d& where_m) const {
     const Pose2 T_then_robot = inverse(T_robot_then);
     for (const NearObstacle& obstacle : now.obstacles) {
         const Vector2d p = transform(T_then_robot, obstacle.at_m);
-        const double margin = margin_m(now, obstacle, candidate);
-        if (p.norm() > radius_m_ + margin) continue;
-        if (signed_distance_m(robot_.footprint_m, p) >= margin) continue;
+        if (p.norm() > radius_m_ + rule.margin_m) continue;
+        if (!rule.touches(obstacle.distance_m, signed_distance_m(robot_.footprint_m, p))) continue;
         where_m = obstacle.at_m;
         return true;
     }
@@ -101,7 +99,7 @@ bool CollisionChecker::touches(const Surroundings& now, const Pose2& T_robot_the
 }
 
 bool CollisionChecker::is_unseen(const GroundMemory& ground, const Surroundings& now,
-                          const Pose2& T_robot_then) const {
+                                 const Pose2& T_robot_then) const {
     const Pose2 T_map_then = compose(now.T_map_robot, T_robot_then);
     const int most = static_cast<int>(params_.unseen_max_m / outline_step_m);
     int unseen = 0;
@@ -113,13 +111,14 @@ bool CollisionChecker::is_unseen(const GroundMemory& ground, const Surroundings&
 }
 
 Forecast CollisionChecker::forecast(const GroundMemory& ground, const Surroundings& now,
-                           const std::deque<TimedCommand>& sent, const MotionCommand& candidate,
-                           double hold_s) const {
+                                    const std::deque<TimedCommand>& sent, const MotionCommand& candidate,
+                                    double hold_s) const {
     const std::vector<Pose2> path =
         stopping_path(robot_, now.motion, sent, now.time_s, {now.time_s, candidate}, hold_s);
+    const ContactRule rule = rule_for(now, candidate);
     Forecast forecast;
     forecast.touches = std::any_of(path.begin() + 1, path.end(), [&](const Pose2& T_robot_then) {
-        return touches(now, T_robot_then, candidate, forecast.where_m);
+        return touches(now, T_robot_then, rule, forecast.where_m);
     });
     if (forecast.touches) return forecast;
     const double spare_s = 2.0 * inside_cells * cell_m_ / outline_mps(candidate);

@@ -14,49 +14,37 @@ using Eigen::Vector2i;
 
 constexpr double deep_inside_m = 0.05;  // an obstacle this far inside the footprint is none
 
-int wrapped(int i, int side) {
-    const int rest = i % side;
-    return rest < 0 ? rest + side : rest;
-}
-
 }  // namespace
 
 GroundMemory::GroundMemory(const GroundMemoryParams& params)
     : params_(params),
-      frame_{Vector2d::Zero(), params.cell_m},
-      side_(2 * static_cast<int>(std::ceil(params.reach_m / params.cell_m)) + 2),
-      cells_(static_cast<std::size_t>(side_) * side_) {}
+      cells_({Vector2d::Zero(), params.cell_m},
+             2 * static_cast<int>(std::ceil(params.reach_m / params.cell_m)) + 2) {}
 
-GroundMemory::Cell& GroundMemory::place(const Vector2i& index) {
-    return cells_[static_cast<std::size_t>(wrapped(index.y(), side_)) * side_ + wrapped(index.x(), side_)];
-}
-
-const GroundMemory::Cell& GroundMemory::place(const Vector2i& index) const {
-    return cells_[static_cast<std::size_t>(wrapped(index.y(), side_)) * side_ + wrapped(index.x(), side_)];
-}
-
-Ground GroundMemory::at(const Vector2i& index, double time_s) const {
-    const Cell& cell = place(index);
-    return cell.index == index && time_s <= cell.until_s ? cell.ground : Ground::Unknown;
+Ground GroundMemory::at(const Vector2i& cell, double time_s) const {
+    const Known* const known = cells_.find(cell);
+    return known && time_s <= known->until_s ? known->ground : Ground::Unknown;
 }
 
 int GroundMemory::note(const mrpt::maps::COccupancyGridMap2D& local_map, double time_s,
                        const Pose2& T_map_robot) {
-    const Vector2i middle = frame_.cell_of({T_map_robot.x_m, T_map_robot.y_m});
+    const Vector2i middle = cells_.frame().cell_of({T_map_robot.x_m, T_map_robot.y_m});
     const Pose2 T_robot_map = inverse(T_map_robot);
     const Vector2d origin = transform(T_robot_map, {0.0, 0.0});
     const Vector2d along_x = transform(T_robot_map, {params_.cell_m, 0.0}) - origin;
     const Vector2d along_y = transform(T_robot_map, {0.0, params_.cell_m}) - origin;
     const GridArea area = mapping::area_of(local_map);
+    const int half = cells_.side() / 2;
     int fresh = 0;
-    for (int y = middle.y() - side_ / 2 + 1; y < middle.y() + side_ / 2; ++y) {
-        for (int x = middle.x() - side_ / 2 + 1; x < middle.x() + side_ / 2; ++x) {
+    for (int y = middle.y() - half + 1; y < middle.y() + half; ++y) {
+        for (int x = middle.x() - half + 1; x < middle.x() + half; ++x) {
             const Vector2d p = origin + (x + 0.5) * along_x + (y + 0.5) * along_y;
             const double p_free = mapping::p_free_at(local_map, area, p);
-            if (p_free < params_.p_occupied || p_free > params_.p_free) {
-                fresh += note_cell({x, y}, p_free > params_.p_free, time_s);
+            const bool is_free = p_free > params_.limits.guard_free_above;
+            if (is_free || p_free < params_.limits.guard_obstacle_below) {
+                fresh += note_cell({x, y}, is_free, time_s);
             } else {
-                note_silence({x, y}, p, time_s);
+                note_unknown({x, y}, p, time_s);
             }
         }
     }
@@ -64,46 +52,47 @@ int GroundMemory::note(const mrpt::maps::COccupancyGridMap2D& local_map, double 
 }
 
 /// True: free, and it was unknown.
-bool GroundMemory::note_cell(const Vector2i& index, bool is_free, double time_s) {
-    const Ground before = at(index, time_s);
-    Cell& cell = place(index);
+bool GroundMemory::note_cell(const Vector2i& cell, bool is_free, double time_s) {
+    const Ground before = at(cell, time_s);
+    Known& known = cells_.claim(cell);
     if (!is_free) {
-        cell = {index, Ground::Occupied, time_s + params_.obstacle_s};
-    } else if (before != Ground::Driven || cell.until_s < time_s + params_.free_s) {
-        cell = {index, Ground::Free, time_s + params_.free_s};
+        known = {Ground::Occupied, time_s + params_.obstacle_s};
+    } else if (before != Ground::Driven || known.until_s < time_s + params_.free_s) {
+        known = {Ground::Free, time_s + params_.free_s};
     }
     return is_free && before == Ground::Unknown;
 }
 
-/// The map says nothing: a mover that went away in front of the robot is soon forgotten, what stands beside
-/// or behind it is not.
-void GroundMemory::note_silence(const Vector2i& index, const Vector2d& at_robot_m, double time_s) {
-    Cell& cell = place(index);
-    if (cell.index != index || cell.ground != Ground::Occupied) return;
+/// Shortens the memory of an obstacle in view of the camera that the map no longer shows; obstacles beside
+/// and behind the robot keep theirs.
+void GroundMemory::note_unknown(const Vector2i& cell, const Vector2d& at_robot_m, double time_s) {
+    Known* const known = cells_.find(cell);
+    if (!known || known->ground != Ground::Occupied) return;
     const bool in_view = std::abs(std::atan2(at_robot_m.y(), at_robot_m.x())) < params_.view_half_rad;
-    if (in_view) cell.until_s = std::min(cell.until_s, time_s + params_.in_view_s);
+    if (in_view) known->until_s = std::min(known->until_s, time_s + params_.in_view_s);
 }
 
 void GroundMemory::mark_traversed(const Polygon& footprint_m, double time_s, const Pose2& T_map_robot) {
     const Vector2d centre(T_map_robot.x_m, T_map_robot.y_m);
     const Vector2d reach = Vector2d::Constant(circumscribed_radius_m(footprint_m));
-    const Vector2i low = frame_.cell_of(centre - reach);
-    const Vector2i high = frame_.cell_of(centre + reach);
+    const GridFrame& frame = cells_.frame();
+    const Vector2i low = frame.cell_of(centre - reach);
+    const Vector2i high = frame.cell_of(centre + reach);
     const Pose2 T_robot_map = inverse(T_map_robot);
     for (int y = low.y(); y <= high.y(); ++y) {
         for (int x = low.x(); x <= high.x(); ++x) {
-            const Vector2i index(x, y);
+            const Vector2i cell(x, y);
             const double outside_m =
-                signed_distance_m(footprint_m, transform(T_robot_map, frame_.middle_of(index)));
-            const bool is_obstacle = at(index, time_s) == Ground::Occupied;
+                signed_distance_m(footprint_m, transform(T_robot_map, frame.middle_of(cell)));
+            const bool is_obstacle = at(cell, time_s) == Ground::Occupied;
             if (outside_m > (is_obstacle ? -deep_inside_m : 0.0)) continue;
-            place(index) = {index, Ground::Driven, time_s + params_.driven_s};
+            cells_.claim(cell) = {Ground::Driven, time_s + params_.driven_s};
         }
     }
 }
 
 Ground GroundMemory::at(const Vector2d& at_m, double time_s) const {
-    return at(frame_.cell_of(at_m), time_s);
+    return at(cells_.frame().cell_of(at_m), time_s);
 }
 
 bool GroundMemory::is_seen(const Vector2d& at_m, double time_s) const {
@@ -121,15 +110,15 @@ bool GroundMemory::is_seen(const Vector2d& at_m, double time_s) const {
 std::vector<Vector2d> GroundMemory::obstacles(const Vector2d& around_m, double radius_m,
                                               double time_s) const {
     const double reach_m = std::min(radius_m, params_.reach_m);
-    const Vector2i low = frame_.cell_of(around_m - Vector2d::Constant(reach_m));
-    const Vector2i high = frame_.cell_of(around_m + Vector2d::Constant(reach_m));
+    const GridFrame& frame = cells_.frame();
+    const Vector2i low = frame.cell_of(around_m - Vector2d::Constant(reach_m));
+    const Vector2i high = frame.cell_of(around_m + Vector2d::Constant(reach_m));
     std::vector<Vector2d> found;
     for (int y = low.y(); y <= high.y(); ++y) {
         for (int x = low.x(); x <= high.x(); ++x) {
-            const Vector2i index(x, y);
-            if (at(index, time_s) != Ground::Occupied) continue;
-            if ((frame_.middle_of(index) - around_m).norm() <= reach_m)
-                found.push_back(frame_.middle_of(index));
+            if (at(Vector2i(x, y), time_s) != Ground::Occupied) continue;
+            const Vector2d middle = frame.middle_of({x, y});
+            if ((middle - around_m).norm() <= reach_m) found.push_back(middle);
         }
     }
     return found;

@@ -5,14 +5,6 @@
 
 namespace flownav::nav {
 
-Pose2 pose_after(const MotionCommand& command, double time_s) {
-    const double turn_rad = command.omega_radps * time_s;
-    const double way_m = command.v_mps * time_s;
-    const double half = turn_rad / 2;
-    const double chord_m = std::abs(half) < 1e-9 ? way_m : way_m * std::sin(half) / half;
-    return along_arc(turn_rad, chord_m);
-}
-
 double stopping_distance_m(const RobotModel& robot, double v_mps) {
     const double v = std::abs(v_mps);
     return v * robot.delay_s + v * v / (2.0 * robot.brake_mps2);

@@ -1,24 +1,39 @@
 #pragma once
 
-#include <mrpt/maps/COccupancyGridMap2D.h>
+#include <cmath>
+#include <optional>
 
-#include <Eigen/Core>
-#include <vector>
-
-#include "flownav/nav/lanes.h"
+#include "flownav/core/unicycle.h"
 
 namespace flownav::nav {
 
-/// Middles of the occupied cells that a robot can meet before it stands again.
-std::vector<Eigen::Vector2d> obstacles_near(const mrpt::maps::COccupancyGridMap2D& map,
-                                            const std::vector<CellKind>& kinds, double within_m);
+/// One step of a rollout.
+struct RolloutStep {
+    Pose2 T_start_robot;  ///< at the end of the step
+    MotionCommand mean;   ///< motion during the step
+    bool stands = false;  ///< the robot was told to stop and stands at the end of the step
+};
 
-/// How far obstacles can matter to can_still_stop().
-double reach_m(const RobotModel& robot, const FootprintField& field, const LaneParams& params);
+/// Longest rollout; every robot stands by then.
+constexpr double rollout_max_s = 20.0;
 
-/// Whether the robot, moving now, told `command` until the next decision and then to stop, touches nothing.
-bool can_still_stop(const RobotModel& robot, const FootprintField& field,
-                    const std::vector<Eigen::Vector2d>& obstacles_m, const MotionCommand& motion,
-                    const MotionCommand& command, const LaneParams& params);
+/// Plays commands in steps of `step_s` until the robot stands, from the identity and moving with `motion`.
+/// `command_at(time_s)` returns the command that the motors follow in the step that begins at `time_s`,
+/// empty once they are told to stop. Calls visit(step) after each step and ends early when it returns false.
+template <class CommandAt, class Visit>
+void rollout(const RobotModel& robot, MotionCommand motion, double step_s, const CommandAt& command_at,
+             const Visit& visit) {
+    constexpr double standing = 1e-6;  // sum of m/s and rad/s
+    RolloutStep step;
+    for (int i = 0; i * step_s < rollout_max_s && !step.stands; ++i) {
+        const std::optional<MotionCommand> command = command_at(i * step_s);
+        const MotionCommand next = motion_after(robot, motion, command.value_or(MotionCommand{}), step_s);
+        step.mean = {(motion.v_mps + next.v_mps) / 2, (motion.omega_radps + next.omega_radps) / 2};
+        step.T_start_robot = compose(step.T_start_robot, pose_after(step.mean, step_s));
+        step.stands = !command && std::abs(next.v_mps) + std::abs(next.omega_radps) < standing;
+        motion = next;
+        if (!visit(step)) return;
+    }
+}
 
 }  // namespace flownav::nav

@@ -4,15 +4,16 @@
 #include <cmath>
 #include <limits>
 
+#include "contact_rule.h"
+
 namespace flownav::nav {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr double nearer_m = 0.004;  // by less the robot does not come nearer to what it stands beside
-constexpr double under_m = 0.06;    // cells deeper below the robot say nothing
+constexpr double nearer_m = 0.004;  // smallest approach that counts: the tables sample the way coarsely
 
-/// What is known of one cell while the robot goes along.
+/// Distances of one cell to the footprint along the way.
 struct Passage {
     double first_m = std::numeric_limits<double>::infinity();  ///< distance at the beginning
     double nearest_m = std::numeric_limits<double>::infinity();
@@ -23,7 +24,11 @@ struct Passage {
 class Sweep {
   public:
     Sweep(const FootprintField& field, const GridArea& grid, const SweepParams& params)
-        : field_(field), grid_(grid), params_(params), passages_(grid.size()) {}
+        : field_(field),
+          grid_(grid),
+          params_(params),
+          rule_{params.margin_m, nearer_m},
+          passages_(grid.size()) {}
 
     void visit(double way, const Pose2& T_robot_there) {
         const Pose2 T_there_robot = inverse(T_robot_there);
@@ -42,7 +47,7 @@ class Sweep {
         for (std::size_t i = 0; i < passages_.size(); ++i) {
             const Passage& p = passages_[i];
             if (!p.touched && !(p.nearest_m < field_.reach_m())) continue;
-            if (p.first_m < -under_m) continue;
+            if (rule_.is_ignored(p.first_m)) continue;
             const double gap = p.touched ? 0.0 : std::max(1.0, p.nearest_m / gap_unit_m);
             cells.push_back({static_cast<std::uint32_t>(i),
                              static_cast<std::uint16_t>(std::lround(p.nearest_way / params_.unit)),
@@ -58,7 +63,7 @@ class Sweep {
         Passage& p = passages_[index];
         if (way == 0.0) p.first_m = distance_m;
         if (p.touched) return;
-        const bool touches = distance_m < params_.margin_m && distance_m < p.first_m - nearer_m;
+        const bool touches = rule_.touches(p.first_m, distance_m);
         if (touches || distance_m < p.nearest_m - 1e-6) {
             p.nearest_m = distance_m;
             p.nearest_way = way;
@@ -69,6 +74,7 @@ class Sweep {
     const FootprintField& field_;
     const GridArea& grid_;
     const SweepParams& params_;
+    ContactRule rule_;
     std::vector<Passage> passages_;
 };
 

@@ -26,7 +26,7 @@ cv::Mat probabilities(const COccupancyGridMap2D& map, const GridArea& area) {
 }
 
 float cost_of(float p_free, double distance_m, double closed_m, const PlanParams& params) {
-    if (p_free < params.p_occupied) return CostMap::obstacle;
+    if (p_free < params.limits.plan_obstacle_below) return CostMap::obstacle;
     if (distance_m < closed_m) return CostMap::closed;
     double cost = 1.0;
     const double tightness = std::max(0.0, 1.0 - (distance_m - closed_m) / params.comfort_m);
@@ -60,7 +60,7 @@ CostMap::CostMap(const COccupancyGridMap2D& map, const GridArea& area, const Rob
                  const PlanParams& params)
     : area_(area), cost_(area.rows, area.columns, CV_32F) {
     const cv::Mat p_free = probabilities(map, area);
-    const cv::Mat open = p_free >= params.p_occupied;
+    const cv::Mat open = p_free >= params.limits.plan_obstacle_below;
     cv::Mat distance_cells;
     cv::distanceTransform(open, distance_cells, cv::DIST_L2, cv::DIST_MASK_5);
     const double closed_m = inscribed_radius_m(robot.footprint_m) + params.margin_m;

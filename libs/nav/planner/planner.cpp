@@ -166,8 +166,8 @@ Plan plan(const COccupancyGridMap2D& map, const Vector2d& from_m, const Vector2d
     // A single false point may close a passage: less margin, and then only what was seen again and again.
     PlanParams bold = params;
     bold.margin_m = params.bold_margin_m;
-    for (const double p_occupied : {params.p_occupied, params.p_surely_occupied}) {
-        bold.p_occupied = p_occupied;
+    for (const double below : {params.limits.plan_obstacle_below, params.limits.plan_certain_below}) {
+        bold.limits.plan_obstacle_below = below;
         const Plan other = plan_once(map, from_m, goal_m, robot, bold);
         if (other.reaches_goal) return other;
     }

@@ -6,6 +6,7 @@
 
 #include "flownav/mapping/grid_area.h"
 #include "flownav/nav/motion_model.h"
+#include "local/contact_rule.h"
 
 namespace flownav::nav {
 namespace {
@@ -14,9 +15,6 @@ using Eigen::Vector2d;
 using Eigen::Vector2i;
 using mrpt::maps::COccupancyGridMap2D;
 
-constexpr double nearer_m = 0.003;  // accuracy of the footprint's raster
-constexpr double least_margin_m = 0.02;
-constexpr double under_m = 0.06;
 constexpr double still_mps = 0.01;  // slower is turning on the spot
 
 class Walk {
@@ -27,8 +25,8 @@ class Walk {
           params_(params),
           kinds_(kinds_of(map, params.limits)),
           counted_(kinds_.size(), 0),
-          margin_m_(params.margin_m) {
-        margin_m_ = std::min(margin_m_, std::max(least_margin_m, nearest_m() - nearer_m));
+          rule_{params.margin_m} {
+        rule_ = rule_.beside(nearest_m());
     }
 
     /// Whether the footprint touches an obstacle there; counts the unseen cells it comes to cover.
@@ -41,9 +39,9 @@ class Walk {
             if (touches || kind == CellKind::Free || kind == CellKind::Weak) return;
             const Vector2d middle = area_.middle_of(cell);
             const double distance_m = field_.distance_m(transform(T_there_robot, middle));
-            if (distance_m >= margin_m_ && distance_m >= 0.0) return;
+            if (distance_m >= rule_.margin_m && distance_m >= 0.0) return;
             if (kind == CellKind::Occupied) {
-                touches = comes_nearer(middle, distance_m);
+                touches = rule_.touches(field_.distance_m(middle), distance_m);
             } else if (distance_m < 0.0) {
                 count(cell, count_unseen);
             }
@@ -69,11 +67,6 @@ class Walk {
         return area_.contains(cell) ? kinds_[area_.index(cell)] : CellKind::Unknown;
     }
 
-    bool comes_nearer(const Vector2d& p_robot, double distance_m) const {
-        const double first_m = field_.distance_m(p_robot);
-        return first_m > -under_m && distance_m < first_m - nearer_m;
-    }
-
     /// Cells met before counting begins never count.
     void count(const Vector2i& cell, bool counts) {
         if (area_.contains(cell)) {
@@ -89,7 +82,7 @@ class Walk {
         for_cells_around(Vector2d::Zero(), field_.radius_m(), [&](const Vector2i& cell) {
             if (kind_of(cell) != CellKind::Occupied) return;
             const double distance_m = field_.distance_m(area_.middle_of(cell));
-            if (distance_m > -under_m) least_m = std::min(least_m, distance_m);
+            if (!rule_.is_ignored(distance_m)) least_m = std::min(least_m, distance_m);
         });
         return least_m;
     }
@@ -100,21 +93,21 @@ class Walk {
     std::vector<CellKind> kinds_;
     std::vector<std::uint8_t> counted_;
     int count_ = 0;
-    double margin_m_;  ///< less where something stands nearer already
+    ContactRule rule_;
 };
 
 }  // namespace
 
-std::vector<CellKind> kinds_of(const COccupancyGridMap2D& map, const CellLimits& limits) {
+std::vector<CellKind> kinds_of(const COccupancyGridMap2D& map, const mapping::OccupancyLimits& limits) {
     using Cell = COccupancyGridMap2D::cellType;
     std::array<CellKind, 256> kind_of_value{};
     for (int value = -128; value < 128; ++value) {
         const double p = COccupancyGridMap2D::l2p(static_cast<Cell>(value));
         CellKind& kind = kind_of_value[static_cast<std::uint8_t>(value)];
-        kind = p < limits.occupied ? CellKind::Occupied
-               : p < limits.weak   ? CellKind::Weak
-               : p > limits.seen   ? CellKind::Free
-                                   : CellKind::Unknown;
+        kind = p < limits.obstacle_below   ? CellKind::Occupied
+               : p < limits.doubtful_below ? CellKind::Weak
+               : p > limits.seen_above     ? CellKind::Free
+                                           : CellKind::Unknown;
     }
     const auto columns = static_cast<std::size_t>(map.getSizeX());
     std::vector<CellKind> kinds(columns * map.getSizeY());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "flownav/math/units.h"
 #include "flownav/nav/motion_model.h"
 
 namespace flownav::nav {
@@ -11,7 +12,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double degrees = 180.0 / M_PI;
 constexpr double table_cell_m = 0.03;  // coarser ones close passages of a robot's width
 constexpr int paths = 81;
 // Paths that turn to a heading at once lead a robot that follows something away from it again and again.
@@ -85,7 +85,7 @@ void write_ptg(std::ostream& out, int number, const std::string& type, const Rob
         << name << "refDistance = " << reactive_range_m << '\n'
         << name << "num_paths = " << paths << '\n'
         << name << "v_max_mps = " << robot.v_max_mps << '\n'
-        << name << "w_max_dps = " << 2.0 * robot.v_max_mps * degrees << '\n'
+        << name << "w_max_dps = " << deg(2.0 * robot.v_max_mps) << '\n'
         << name << "K = 1.0\n"
         << name << "cte_a0v_deg = 57\n"
         << name << "cte_a0w_deg = 57\n"
@@ -121,7 +121,7 @@ std::string reactive_config(const NavigatorOptions& options) {
     const double slow_m = stopping_distance_m(robot, robot.v_max_mps) + 0.2;
     out << fixed_part << "\n[CAbstractPTGBasedReactive]\n"
         << "robotMax_V_mps = " << robot.v_max_mps << '\n'
-        << "robotMax_W_degps = " << robot.omega_max_radps * degrees << '\n'
+        << "robotMax_W_degps = " << deg(robot.omega_max_radps) << '\n'
         << "holonomic_method = CHolonomicFullEval\n"
         << "motion_decider_method = CMultiObjMotionOpt_Scalarization\n"
         << "ref_distance = " << reactive_range_m << '\n'

@@ -5,7 +5,7 @@
 
 #include "flownav/nav/motion_model.h"
 #include "lanes/turning.h"
-#include "local/rollout.h"
+#include "local/can_still_stop.h"
 
 namespace flownav::nav {
 namespace {
@@ -49,7 +49,8 @@ Decision SpeedLimiter::turn_to(const Situation& situation, const Vector2d& waypo
     const double bearing = bearing_rad(waypoint_robot_m);
     for (const double angle : {bearing, bearing - std::copysign(2.0 * M_PI, bearing)}) {
         const MotionCommand command = turn_by(robot_, angle);
-        const CollisionFreeDistance way = collision_free_distance(field_, *situation.local_map, command, free_way_);
+        const CollisionFreeDistance way =
+            collision_free_distance(field_, *situation.local_map, command, free_way_);
         if (way.occupied >= std::min(std::abs(angle), 3.0))
             return {command, 0.0, false, "turns to the way point"};
     }

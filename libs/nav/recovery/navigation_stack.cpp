@@ -6,8 +6,9 @@
 namespace flownav::nav {
 namespace {
 
-/// A navigator that decides more seldom is not silent yet.
-GuardParams patient_with(const NavigationParams& navigation, GuardParams guard) {
+/// The guard for a navigator and a map: its silent_s is at least 1.5 periods of the navigator.
+GuardParams fitted(GuardParams guard, const NavigationParams& navigation, const mapping::MapParams& map) {
+    guard.ground.limits = map.occupancy;
     guard.silent_s = std::max(guard.silent_s, 1.5 * navigation.controller_period_s);
     return guard;
 }
@@ -21,7 +22,7 @@ NavigationStack::NavigationStack(const NavigationParams& navigation, const mappi
       local_(map),
       map_(map),
       recovery_(std::move(recovery)),
-      guard_(navigation.robot, patient_with(navigation, guard)) {}
+      guard_(navigation.robot, fitted(guard, navigation, map)) {}
 
 void NavigationStack::odometry(double time_s, const Pose2& T_odom_robot, const MotionCommand& motion) {
     motion_ = motion;

@@ -1,15 +1,12 @@
 #include "flownav/nav/pose_fusion.h"
 
-#include <cmath>
-
 namespace flownav::nav {
 namespace {
 
 constexpr double memory_s = 2.0;
 constexpr double gap_max_s = 0.5;  // between fields; across longer ones the wheels tell the way
-constexpr double overspeed_factor = 1.5;      // pushed, or down a slope, a robot is faster than it drives
-constexpr double jump_m = 0.05;
-constexpr double jump_rad = 0.1;
+constexpr double jump_slack_m = 0.05;
+constexpr double jump_slack_rad = 0.1;
 
 /// Between two poses, on the straight line.
 Pose2 between(const Pose2& a, const Pose2& b, double share) {
@@ -19,23 +16,19 @@ Pose2 between(const Pose2& a, const Pose2& b, double share) {
 
 }  // namespace
 
+PoseFusion::PoseFusion(const RobotModel& robot, const Pose2& start)
+    : jumps_(robot, jump_slack_m, jump_slack_rad), T_map_odom_(start) {}
+
 void PoseFusion::odometry(double time_s, const Pose2& T_odom_robot) {
     if (!T_wheels_odom_) T_wheels_odom_ = inverse(T_odom_robot);
     Stamped next{time_s, compose(*T_wheels_odom_, T_odom_robot)};
-    if (!wheels_.empty() && !is_possible(wheels_.back(), next)) {
+    if (!wheels_.empty() && jumps_.is_jump(wheels_.back().pose, next.pose, time_s - wheels_.back().time_s)) {
         // The wheels go on from where they were.
         T_wheels_odom_ = compose(wheels_.back().pose, inverse(T_odom_robot));
         next.pose = wheels_.back().pose;
     }
     wheels_.push_back(next);
     while (time_s - wheels_.front().time_s > memory_s) wheels_.pop_front();
-}
-
-bool PoseFusion::is_possible(const Stamped& from, const Stamped& to) const {
-    const Pose2 step = compose(inverse(from.pose), to.pose);
-    const double time_s = to.time_s - from.time_s;
-    return std::hypot(step.x_m, step.y_m) <= overspeed_factor * robot_.v_max_mps * time_s + jump_m &&
-           std::abs(step.yaw_rad) <= overspeed_factor * robot_.omega_max_radps * time_s + jump_rad;
 }
 
 void PoseFusion::flow(double time_s, const std::optional<Pose2>& T_start_robot) {

@@ -26,8 +26,6 @@ constexpr double trail_step_m = 0.1;
 constexpr double trail_step_rad = 0.1;
 constexpr std::size_t trail_poses = 50;
 constexpr double beside_trail_m = 0.12;
-constexpr double p_not_occupied = 0.45;
-constexpr double p_known_free = 0.52;     // of ground to back over
 constexpr double way_of_turning_m = 0.6;  // part of the plan that tells where to turn to
 
 Vector2d position(const Pose2& pose) {
@@ -49,7 +47,7 @@ bool is_driven(const std::deque<Pose2>& trail, const RobotModel& robot, const Ve
 /// How far the robot can back over ground that is known to be free, or that it came over, up to `wanted_m`.
 /// It stands on the ground below it, whatever the map says.
 double known_behind_m(const Situation& situation, const RobotModel& robot, const std::deque<Pose2>& trail,
-                      double wanted_m) {
+                      const mapping::OccupancyLimits& limits, double wanted_m) {
     const auto& map = *situation.local_map;
     const GridArea area = mapping::area_of(map);
     const double step_m = area.cell_m;
@@ -63,9 +61,9 @@ double known_behind_m(const Situation& situation, const RobotModel& robot, const
         const double x = rear_m - back_m - step_m;
         for (double y = -half_m - step_m; y <= half_m + step_m; y += step_m) {
             const double p_free = mapping::p_free_at(map, area, {x, y});
-            if (p_free >= p_known_free) continue;
+            if (p_free >= limits.backing_free_above) continue;
             const bool driven = is_driven(trail, robot, transform(situation.T_map_robot, {x, y}));
-            if (p_free < p_not_occupied || !driven) return back_m;
+            if (p_free < limits.plan_obstacle_below || !driven) return back_m;
         }
     }
     return wanted_m;
@@ -107,12 +105,13 @@ const char* to_string(RecoveryState state) {
 RecoveryManager::RecoveryManager(const RobotModel& robot, const RecoveryParams& params,
                                  std::unique_ptr<Navigator> navigator, std::vector<Vector2d> goals_m)
     : robot_(robot), params_(params), navigator_(std::move(navigator)), goals_m_(std::move(goals_m)) {
+    planner_.limits = params_.limits;
     if (goals_m_.empty()) throw std::invalid_argument("the pilot needs a goal");
 }
 
-RecoveryManager::RecoveryManager(const RobotModel& robot, std::unique_ptr<Navigator> navigator,
-                                 const Vector2d& waypoint_robot_m)
-    : robot_(robot), navigator_(std::move(navigator)), waypoint_robot_m_(waypoint_robot_m) {}
+RecoveryManager::RecoveryManager(const RobotModel& robot, const RecoveryParams& params,
+                                 std::unique_ptr<Navigator> navigator, const Vector2d& waypoint_robot_m)
+    : robot_(robot), params_(params), navigator_(std::move(navigator)), waypoint_robot_m_(waypoint_robot_m) {}
 
 RecoveryDecision RecoveryManager::decide(const Situation& situation,
                                          const mrpt::maps::COccupancyGridMap2D& map) {
@@ -148,7 +147,7 @@ bool RecoveryManager::is_at_goal(const Situation& situation) {
     while (goal_ < goals_m_.size() &&
            (goals_m_[goal_] - position(situation.T_map_robot)).norm() <= params_.goal_radius_m) {
         ++goal_;
-        params_.planner.avoid_m.clear();
+        planner_.avoid_m.clear();
         planning_ = false;
         best_ = {};
     }
@@ -165,13 +164,14 @@ void RecoveryManager::aim(const Situation& situation, const mrpt::maps::COccupan
         return;
     }
     decision_.waypoint_m = goals_m_[goal_];
-    const bool plans = params_.plan == PlanPolicy::Always || planning_;
-    if (!plans || params_.plan == PlanPolicy::Never) return;
+    const bool plans = params_.replan == ReplanPolicy::Always || planning_;
+    if (!plans || params_.replan == ReplanPolicy::Never) return;
     const Vector2d here = position(situation.T_map_robot);
-    plan_ = plan(map, here, goals_m_[goal_], robot_, params_.planner);
+    plan_ = plan(map, here, goals_m_[goal_], robot_, planner_);
     if (!plan_->reaches_goal) {
-        const auto hopeful = without_old_obstacles(map, situation, params_.planner.p_occupied);
-        Plan other = plan(hopeful, here, goals_m_[goal_], robot_, params_.planner);
+        const auto hopeful =
+            without_old_obstacles(map, situation, params_.limits.plan_obstacle_below);
+        Plan other = plan(hopeful, here, goals_m_[goal_], robot_, planner_);
         if (other.reaches_goal) plan_ = std::move(other);
     }
     decision_.path_m = plan_->path_m;
@@ -266,7 +266,7 @@ std::vector<RecoveryState> RecoveryManager::sequence_of_follower() const {
 void RecoveryManager::avoid_this_place(const Situation& situation) {
     for (const Vector2d& at_m : decision_.path_m) {
         if ((at_m - position(situation.T_map_robot)).norm() < place_ahead_m) continue;
-        params_.planner.avoid_m.push_back(at_m);
+        planner_.avoid_m.push_back(at_m);
         return;
     }
 }
@@ -332,7 +332,7 @@ void RecoveryManager::turn_to(double yaw_rad, const Situation& situation) {
 
 void RecoveryManager::back_off(const Situation& situation, double far_enough_m) {
     const double done_m = (position(situation.T_map_robot) - position(entered_at_)).norm();
-    const double known_m = known_behind_m(situation, robot_, trail_, far_enough_m);
+    const double known_m = known_behind_m(situation, robot_, trail_, params_.limits, far_enough_m);
     decision_.free_m = known_m;
     if (done_m >= far_enough_m || known_m < 0.05) {
         next_of_sequence(situation);

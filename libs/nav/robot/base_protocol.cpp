@@ -28,7 +28,7 @@ bool read(std::string_view word, Number& number) {
     return error == std::errc() && end == word.data() + word.size();
 }
 
-/// Finite numbers, as many as `numbers` has.
+/// Parses the words after the first as `n` finite numbers. Returns false when one is malformed.
 template <std::size_t n>
 bool read_all(const std::vector<std::string_view>& words, std::array<double, n>& numbers) {
     for (std::size_t i = 0; i < n; ++i)

@@ -13,12 +13,12 @@ using mrpt::kinematics::CVehicleVelCmd;
 using mrpt::kinematics::CVehicleVelCmd_DiffDriven;
 
 CVehicleVelCmd::Ptr stop_command() {
-    return std::make_shared<CVehicleVelCmd_DiffDriven>();  // made of zeros
+    return std::make_shared<CVehicleVelCmd_DiffDriven>();  // zero velocity
 }
 
 }  // namespace
 
-GridRobot::GridRobot(const RobotModel& robot, const CellLimits& limits, double margin_m,
+GridRobot::GridRobot(const RobotModel& robot, const mapping::OccupancyLimits& limits, double margin_m,
                      WatchdogSink* watchdog)
     : robot_(robot),
       limits_(limits),
@@ -95,7 +95,7 @@ bool GridRobot::senseObstacles(mrpt::maps::CSimplePointsMap& obstacles, mrpt::sy
     const auto& map = *situation_.local_map;
     const std::vector<CellKind> kinds = kinds_of(map, limits_);
     const auto columns = static_cast<int>(map.getSizeX());
-    const auto z = static_cast<float>(robot_.height_m / 2);  // within the heights that MRPT looks at
+    const auto z = static_cast<float>(robot_.height_m / 2);  // within the height range of MRPT's navigators
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         if (kinds[i] != CellKind::Occupied) continue;
         const float x = map.idx2x(static_cast<int>(i) % columns);

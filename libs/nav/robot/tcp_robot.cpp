@@ -9,8 +9,8 @@ namespace {
 
 using namespace base_protocol;
 
-constexpr double drift = 1e-4;      // of two clocks, seconds per second
-constexpr int full_reads_max = 25;  // half a second of the drive's ticks
+constexpr double drift = 1e-4;      // between two clocks, seconds per second
+constexpr int full_reads_max = 25;  // half a second of control ticks
 
 double system_clock_s() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
@@ -54,7 +54,7 @@ TcpRobot::~TcpRobot() {
     try {
         socket_.send(text(Drive{{}, ++sequence_}) + text(Bye{}));
     } catch (const RobotError&) {
-        // It is gone and stops by itself.
+        // The connection is lost; the base stops by itself.
     }
 }
 

@@ -30,7 +30,7 @@ constexpr double send_timeout_s = 1.0;
 
 using SteadyTime = std::chrono::steady_clock;
 
-/// False only when the time is over: a signal that interrupts the waiting does not end it.
+/// Waits for `events`. Returns false on timeout; continues waiting after a signal.
 bool ready(int file, short events, double timeout_s) {
     const auto end = SteadyTime::now() + std::chrono::duration_cast<SteadyTime::duration>(
                                              std::chrono::duration<double>(std::max(0.0, timeout_s)));
@@ -50,7 +50,7 @@ void prepare(int file) {
     ::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) | O_NONBLOCK);
 }
 
-/// A connected file, or -1 with errno.
+/// Returns a connected file descriptor, or -1 with errno set.
 int connect_to(const addrinfo& address, double timeout_s) {
     const int file = ::socket(address.ai_family, SOCK_STREAM | SOCK_CLOEXEC, 0);
     if (file < 0) return -1;
@@ -112,8 +112,8 @@ std::string TcpSocket::receive(std::size_t most) const {
         }
         if (size < 0 && errno == EINTR) continue;
         if (size < 0 && errno == EAGAIN) return bytes;
-        if (!bytes.empty()) return bytes;  // first what came before the end
-        // Reset: closed with something of ours unread.
+        if (!bytes.empty()) return bytes;  // delivers the bytes before the end first
+        // ECONNRESET: the peer closed the connection with unread bytes of ours.
         if (size == 0 || errno == ECONNRESET) throw RobotError("the other side closed the connection");
         fail("cannot receive");
     }

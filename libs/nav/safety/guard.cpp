@@ -11,9 +11,6 @@ namespace {
 constexpr double standing_mps = 0.01;
 constexpr double slowest_mps = 0.02;  // of the outline: slower is a stop
 constexpr int halvings = 5;           // of the search for the fastest speed
-constexpr double overspeed_factor = 1.5;         // a robot may be this much faster than its model
-constexpr double pose_jump_m = 0.25;
-constexpr double pose_jump_rad = 0.2;
 constexpr double rounding_m = 1e-7;
 
 MotionCommand scaled(const MotionCommand& command, double share) {
@@ -31,6 +28,7 @@ Guard::Guard(const RobotModel& robot, const GuardParams& params)
       params_(params),
       sensor_(params.sensor),
       odometry_(robot, params.odometry),
+      pose_jumps_(robot, params.pose_jump_m, params.pose_jump_rad),
       ground_(params.ground),
       collision_checker_(robot, params.collision_checker, params.ground.cell_m),
       hold_s_(params.collision_checker.period_s) {}
@@ -125,14 +123,9 @@ bool Guard::may_turn_out(const Fault& fault, double time_s) const {
 void Guard::note_pose(double time_s, const Pose2& T_map_robot, const MotionCommand& motion) {
     const double dt_s = last_ ? time_s - last_->time_s : 0.0;
     hold_s_ = std::max(params_.collision_checker.period_s, std::min(dt_s, 1.0));
-    if (last_) {
-        const Pose2 moved = compose(inverse(last_->T_map_robot), T_map_robot);
-        const double way_max_m = overspeed_factor * std::max(robot_.v_max_mps, robot_.v_back_mps) * dt_s + pose_jump_m;
-        const double turn_max_rad = overspeed_factor * robot_.omega_max_radps * dt_s + pose_jump_rad;
-        if (std::hypot(moved.x_m, moved.y_m) > way_max_m || std::abs(moved.yaw_rad) > turn_max_rad) {
-            ground_.forget();
-            jumped_s_ = time_s;
-        }
+    if (last_ && pose_jumps_.is_jump(last_->T_map_robot, T_map_robot, dt_s)) {
+        ground_.forget();
+        jumped_s_ = time_s;
     }
     ground_.mark_traversed(robot_.footprint_m, time_s, T_map_robot);
     if (over_unseen_) crept_m_ += std::abs(motion.v_mps) * dt_s;
@@ -177,10 +170,12 @@ SafetyDecision Guard::allow(const Surroundings& now, const MotionCommand& wanted
     const auto try_share = [&](double share) {
         (objection(now, scaled(wanted, share)) ? bad : good) = share;
     };
-    if (fast_mps > params_.collision_checker.crawl_mps) try_share(params_.collision_checker.crawl_mps / fast_mps);
+    if (fast_mps > params_.collision_checker.crawl_mps)
+        try_share(params_.collision_checker.crawl_mps / fast_mps);
     for (int i = 0; i < halvings; ++i) try_share((good + bad) / 2);
     const MotionCommand slow = scaled(wanted, good);
-    if (collision_checker_.outline_mps(slow) < slowest_mps) return {{}, GuardAction::Stop, first.reason, first.why};
+    if (collision_checker_.outline_mps(slow) < slowest_mps)
+        return {{}, GuardAction::Stop, first.reason, first.why};
     return {slow, GuardAction::Slow, first.reason, first.why};
 }
 
@@ -190,7 +185,8 @@ SafetyDecision Guard::sent(const Surroundings& now, const SafetyDecision& safety
                    collision_checker_.forecast(ground_, now, sent_, safety.command, hold_s_).unseen;
     sent_.push_back({now.time_s, safety.command});
     // The last one before the delay is still in force.
-    while (sent_.size() > 1 && sent_[1].time_s <= now.time_s - robot_.delay_s - params_.collision_checker.period_s)
+    while (sent_.size() > 1 &&
+           sent_[1].time_s <= now.time_s - robot_.delay_s - params_.collision_checker.period_s)
         sent_.pop_front();
     log(now.time_s, safety);
     return safety;

@@ -10,7 +10,6 @@ namespace flownav::nav {
 namespace {
 
 constexpr double history_s = 3.0;
-constexpr double overspeed_factor = 1.5;            // a robot may be this much faster than its model
 constexpr double extrapolation_s = 0.1;  // fields may be newer than the odometry by this
 constexpr double standing_m = 0.001;     // less between two fields is no motion
 constexpr double agreed_way_m = 0.03;    // of the wheels, to confirm the flow
@@ -26,15 +25,8 @@ Pose2 between(const Pose2& a, const Pose2& b, double share) {
 
 void OdometryWatch::odometry(double time_s, const Pose2& T_odom_robot) {
     if (time_s <= newest_s_) return;
-    if (!wheels_.empty()) {
-        const Pose2 moved = compose(inverse(wheels_.back().pose), T_odom_robot);
-        const double dt_s = time_s - newest_s_;
-        const double way_max_m =
-            overspeed_factor * std::max(robot_.v_max_mps, robot_.v_back_mps) * dt_s + params_.jump_m;
-        const double turn_max_rad = overspeed_factor * robot_.omega_max_radps * dt_s + params_.jump_rad;
-        if (std::hypot(moved.x_m, moved.y_m) > way_max_m || std::abs(moved.yaw_rad) > turn_max_rad)
-            forget_before(time_s);
-    }
+    if (!wheels_.empty() && jumps_.is_jump(wheels_.back().pose, T_odom_robot, time_s - newest_s_))
+        forget_before(time_s);
     newest_s_ = time_s;
     wheels_.push_back({time_s, T_odom_robot});
     while (time_s - wheels_.front().time_s > history_s) wheels_.pop_front();

@@ -7,11 +7,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Shortest travel-induced flow of the ground, in units of tau, from which "as on the ground" means anything:
-/// an obstacle at 4/5 of the depth of the ground would then exceed tau.
+/// Smallest travel-induced flow of the ground, in units of tau, at which a vector counts as evidence of
+/// ground. At this flow an obstacle at 4/5 of the ground's depth would exceed tau.
 constexpr double ground_evidence_tau = 4.0;
 constexpr double depth_tolerance = 0.15;
-constexpr double significance = 3.0;  // deviations by which an obstacle must stand out
+constexpr double significance = 3.0;  // standard deviations by which an obstacle must exceed the ground
 
 }  // namespace
 
@@ -24,7 +24,7 @@ ClassifierInput::ClassifierInput(const CameraModel& camera, const EgoMotion& mot
       travel_error(motion.sigma_forward_m / std::max(displacement_m.norm(), 1e-9)) {}
 
 Classification classify(const RayFlow& travel, const ClassifierInput& motion, const ObstacleParams& params) {
-    const Vector2d e = motion.plane.e(travel.at, motion.displacement_m);  // in metres: S e of Eq. (3)
+    const Vector2d e = motion.plane.e(travel.at, motion.displacement_m);  // S e of Eq. (3), in metres
     const Vector2d& d = travel.flow;
     Classification j;
     j.at = travel.at;
@@ -37,11 +37,11 @@ Classification classify(const RayFlow& travel, const ClassifierInput& motion, co
     // Eq. (10), with the travel inside e
     j.inverse_depth = e.dot(d) / length2;
     j.sigma = motion.noise_factor * deviation_of_dot(e, travel.sigma) / length2;
-    // Eq. (13), and pixels along e instead of inverse depths
+    // Eq. (13), as inverse depths and then in pixels along e
     const double ground = motion.plane.ground_inverse_depth(travel.at);
     const double pixels = length2 / deviation_of_dot(e, motion.pixel);
     j.excess_px = (j.inverse_depth - ground) * pixels;
-    // What the vector's own error and a speed that is not known well could explain of the excess.
+    // tau is widened by the uncertainty of the vector and of the travel.
     const double ground_px = ground * pixels;
     const double tau_px =
         std::max(params.tau_px, significance * j.sigma * pixels) + 2.0 * motion.travel_error * ground_px;

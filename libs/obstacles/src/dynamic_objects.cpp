@@ -11,14 +11,14 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double drift_tolerance = 0.2;  // of the larger of two drifts
+constexpr double drift_tolerance = 0.2;  // share of the larger of two drifts
 constexpr double deviations = 3.0;
-constexpr double across_min_px = 2.5;  // rolling and swaying make smaller ones
-constexpr double border_px = 8.0;      // a region that ends so near the lower border may go on below it
-constexpr double row_sigma_px = 4.6;   // of the contact: anywhere in the lowest block
+constexpr double across_min_px = 2.5;  // roll and sway of the robot cause smaller ones
+constexpr double border_px = 8.0;      // a region that ends this near the lower border may extend below it
+constexpr double row_sigma_px = 4.6;   // of the contact, which may lie anywhere in the lowest block
 constexpr double below_horizon_min = 0.05;
-constexpr double worthless_sigma = 1.0 / 3.0;  // of the distance
-constexpr double height_min_m = -0.2;          // lower points are not on something that stands at the contact
+constexpr double relative_sigma_max = 1.0 / 3.0;  // share of the distance
+constexpr double height_min_m = -0.2;  // lower points do not belong to an object that stands at the contact
 
 std::optional<double> ground_ahead(const Vector2d& at_px, const RayMapper& mapper) {
     const CameraMount& mount = mapper.camera().mount;
@@ -50,7 +50,7 @@ std::optional<GroundContact> ground_contact(const Vector2d& lowest_px, const Ray
     const auto farther = ground_ahead(lowest_px - Vector2d(0.0, row_sigma_px), newest);
     if (!ahead || !farther) return std::nullopt;
     const GroundContact contact{*ahead, std::abs(*farther - *ahead)};
-    if (!(contact.sigma_m < worthless_sigma * contact.forward_m)) return std::nullopt;
+    if (!(contact.sigma_m < relative_sigma_max * contact.forward_m)) return std::nullopt;
     return contact;
 }
 

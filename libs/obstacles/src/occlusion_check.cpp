@@ -12,14 +12,14 @@ using Eigen::Vector2d;
 
 constexpr int bins_per_degree = 2;
 constexpr int bins = 360 * bins_per_degree;
-constexpr int reach = 3;  // bins to either side: half a block of a camera of 90 degrees and 640 pixels
+constexpr int reach = 3;  // bins to either side; half a block of a camera of 90 degrees and 640 pixels
 
 int bin_of(const Vector2d& from_camera_m) {
     const double turns = std::atan2(from_camera_m.y(), from_camera_m.x()) / (2.0 * M_PI) + 0.5;
     return std::clamp(static_cast<int>(turns * bins), 0, bins - 1);
 }
 
-/// Shortens a patch to what is nearer than `range_m`; false: nothing is left.
+/// Shortens a patch to the part nearer than `range_m`; false when no part is.
 bool cut(GroundPatch& patch, const Vector2d& camera_m, double range_m) {
     const double near_m = (patch.near_m - camera_m).norm();
     const double far_m = (patch.far_m - camera_m).norm();

@@ -9,9 +9,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double half_block_px = 8.0;
-constexpr double half_width_px =
-    6.0;  // of a patch of floor: something thin at the rim leaves the vector alone
-constexpr double worthless_sigma = 0.12;  // of the range
+constexpr double half_width_px = 6.0;  // of a floor patch; thin obstacles at the edge hardly change a vector
+constexpr double relative_sigma_max = 0.12;  // share of the range
 constexpr double below_horizon_min = 0.02;
 
 std::optional<Vector2d> ground_point(const Vector2d& at_px, const RayMapper& mapper) {
@@ -36,7 +35,7 @@ std::optional<ObstaclePoint> obstacle_point(const Classification& classification
         std::hypot(classification.sigma / classification.inverse_depth, sigma_travel_relative);
     const Vector3d p = point_in_robot(classification.at, 1.0 / classification.inverse_depth, mount);
     const double range = p.head<2>().norm();
-    if (!(relative < worthless_sigma) || range > params.range_max_m || p.z() > params.height_max_m) {
+    if (!(relative < relative_sigma_max) || range > params.range_max_m || p.z() > params.height_max_m) {
         return std::nullopt;
     }
     ObstaclePoint point;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "flownav/core/plane_geometry.h"
+#include "flownav/math/units.h"
 
 namespace flownav::obstacles {
 namespace {
@@ -11,7 +12,6 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double floor_gap_m = 0.5;
-constexpr double rad = M_PI / 180.0;
 
 double bearing_of(const Vector2d& p) {
     return std::atan2(p.y(), p.x());
@@ -22,7 +22,8 @@ int beam_of(const VirtualScan& scan, double bearing_rad) {
     return i >= 0 && i < static_cast<double>(scan.beams.size()) ? static_cast<int>(i) : -1;
 }
 
-/// Floor extends a beam that it touches without a large gap.
+/// Extends a free beam by floor from near_m to far_m when the gap between them is at most floor_gap_m; makes
+/// an unknown beam free; leaves beams that end at an obstacle.
 void extend_by_floor(Beam& beam, double near_m, double far_m) {
     if (beam.kind == BeamKind::Obstacle) return;
     if (beam.kind == BeamKind::Unknown) {
@@ -45,7 +46,7 @@ VirtualScan scan_layout(const RayMapper& mapper, const ObstacleParams& params) {
         }
     }
     VirtualScan scan;
-    scan.step_rad = params.beam_deg * rad;
+    scan.step_rad = params.beam_deg * degree_rad;
     const int half = std::max(1, static_cast<int>(std::ceil(widest_rad / scan.step_rad)));
     scan.first_bearing_rad = -half * scan.step_rad;
     scan.beams.resize(2 * half + 1);

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The flow that the ground would show.
+/// Predicts the flow of the ground, one vector a block.
 void predict_flow(const ReferenceImage& reference, const ReferenceImage& newest,
                   const flow::BlockLayout& layout, const motion::MotionPrediction& prediction,
                   Measurement& m) {
@@ -22,7 +22,7 @@ void predict_flow(const ReferenceImage& reference, const ReferenceImage& newest,
     }
 }
 
-/// Maps what passed sifting to the normalised plane.
+/// Maps the vectors that pass sifting to the normalised plane.
 void collect(const ReferenceImage& reference, const ReferenceImage& newest, const flow::BlockLayout& layout,
              const Params& params, Measurement& m) {
     m.rays.resize(layout.size());

@@ -27,13 +27,13 @@ struct Measurement {
     int placed = 0;
 };
 
-/// What a measurement needs to know besides the fields.
+/// Parameters and matcher of a measurement; both outlive it.
 struct MeasureContext {
     const Params& params;
     const flow::Matcher& matcher;
 };
 
-/// True when a vector is worth using.
+/// True when a vector passes sifting.
 bool is_confident(const FlowVector& vector, const flow::FlowParams& params);
 
 /// Matches the blocks of a layout whose reference this is, with their windows where the prediction expects

@@ -1,219 +1,183 @@
 #include "flownav/pipeline/pipeline.h"
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-
 #include "field_quality.h"
+#include "flownav/flow/matcher_registry.h"
 #include "flownav/obstacles/virtual_scan.h"
-#include "motion_stage.h"
-#include "obstacle_stage.h"
+#include "measure_motion.h"
+#include "record.h"
 #include "state.h"
 
 namespace flownav::pipeline {
 namespace {
 
-using Eigen::Vector2d;
-using Impl = State::Impl;
-
 constexpr std::size_t coarse_step = 3;  // the search looks at every third block
-
-/// When the last field came that could be compared: a bad field in between measured nothing.
-double last_picture_s(const Impl& s) {
-    return (s.cycle.empty() ? s.reference : s.newest).field.timestamp_s;
-}
-
-void aim_layouts(Impl& s) {
-    flow::set_reference(s.layout, s.reference.mapper);
-    flow::set_reference(s.coarse_layout, s.reference.mapper);
-}
-
-/// The newest field becomes the reference of a new cycle.
-void begin_cycle(Impl& s) {
-    std::swap(s.reference, s.newest);
-    s.cycle.clear();
-    s.has_reference = true;
-    s.failures = 0;
-    s.counted = {};
-    s.last_measured = {EgoMotion{}, s.reference.field.timestamp_s};
-    s.T_start_reference = s.step.T_start_robot;
-    aim_layouts(s);
-}
-
-/// The first comparison of a cycle: what the last cycle measured is over.
-void forget_last_cycle(Impl& s) {
-    for (BlockRecord& block : s.step.blocks) block.image_of_cycle = 0;
-}
-
-void new_layout(Impl& s) {
-    s.layout = flow::place_blocks(s.newest.mapper, s.params.flow);
-    s.coarse_layout = flow::every_nth(s.layout, coarse_step);
-    s.judgements.resize(s.layout.size());
-    s.moved_before.assign(s.layout.size(), 0);
-    s.step.blocks.assign(s.layout.size(), {});
-    s.step.scan = obstacles::scan_layout(s.newest.mapper, s.params.obstacles);
-}
-
-/// What is learnt of the pitch is used from the next cycle on, by its reference and all that is compared with
-/// it.
-void correct_pitch(Impl& s, ReferenceImage& held) {
-    s.step.pitch_correction_rad = s.pitch.correction_rad();
-    if (s.pitch.correction_rad() == 0.0) return;
-    held.field.camera.mount.pitch_rad = s.camera.mount.pitch_rad + s.pitch.correction_rad();
-    held.mapper = RayMapper(held.field.camera);
-}
-
-/// Images of the second half of a cycle, so that vectors of the same block end anywhere in a pixel.
-void observe_pitch(Impl& s) {
-    if (!s.params.pitch_online || s.step.status != FieldStatus::Ok) return;
-    if (2 * s.step.image_of_cycle < s.step.cycle_images) return;
-    s.pitch.observe(s.measured.samples, s.reference.field.camera, s.step.motion, s.params.motion.geometry);
-}
-
-void learn_pitch(Impl& s) {
-    if (!s.params.pitch_online) return;
-    s.pitch.learn(s.step.motion);
-    const double in_use_rad = s.step.pitch_correction_rad;
-    correct_pitch(s, s.reference);
-    aim_layouts(s);
-    s.step.pitch_correction_rad = in_use_rad;
-}
-
-/// A new chain: nothing before this field can be compared with it.
-void restart(Impl& s, bool new_camera) {
-    if (new_camera) new_layout(s);
-    if (new_camera) s.camera = s.newest.field.camera;
-    s.step.restarted = s.has_reference;
-    s.step.status = FieldStatus::Waiting;
-    s.rates = {};
-    begin_cycle(s);
-}
-
-/// Enters the vectors into the block records; a block without a good one keeps the last of the cycle. Those
-/// of an image whose motion is not known say nothing.
-void record_vectors(Impl& s, bool is_credible) {
-    const PlaneGeometry plane(s.reference.field.camera.mount);
-    s.step.counts.placed = s.measured.placed;
-    s.step.counts.confident = static_cast<int>(s.measured.samples.size());
-    for (std::size_t i = 0; i < s.layout.size(); ++i) {
-        BlockRecord& block = s.step.blocks[i];
-        const FlowVector& vector = s.measured.vectors[i];
-        block.in_ground_window = s.layout.in_ground_window[i] != 0;
-        block.predicted_px = s.measured.predicted_px[i];
-        block.fresh = is_credible && is_confident(vector, s.params.flow);
-        if (!block.fresh && block.image_of_cycle > 0) continue;
-        block.vector = vector;
-        block.ray = block.fresh ? s.measured.rays[i] : RayFlow{};
-        block.label = block.fresh    ? BlockLabel::Unjudged
-                      : vector.valid ? BlockLabel::Sifted
-                                     : BlockLabel::Unplaced;
-        block.image_of_cycle = block.fresh ? s.step.image_of_cycle : 0;
-        block.omega_rad = block.fresh ? motion::omega_of(block.ray, plane, {1.0, 0.0}) : 0.0;
-    }
-}
-
-void clear_outputs(Step& out) {
-    out.restarted = out.end_of_cycle = out.v_measured = false;
-    out.image_of_cycle = 0;
-    out.omega_radps = out.pitch_rate_radps = out.v_mps = 0.0;
-    out.motion = EgoMotion{};
-    out.counts = BlockCounts{};
-    out.obstacles.clear();
-    out.ground.clear();
-    for (BlockRecord& block : out.blocks) block.fresh = false;
-}
-
-/// Enters time and fault of a field; returns the time since the field before.
-double begin_step(Impl& s, const Field& field, FieldFault fault) {
-    s.step.fault = fault;
-    ++s.step.faults[static_cast<std::size_t>(fault)];
-    if (fault == FieldFault::TimeNotRising) {
-        s.step.timestamp_s = std::isfinite(field.timestamp_s) ? field.timestamp_s : s.newest_s.value_or(0.0);
-        return 0.0;
-    }
-    const double since_field_s = s.newest_s ? field.timestamp_s - *s.newest_s : 0.0;
-    s.newest_s = s.step.timestamp_s = field.timestamp_s;
-    return since_field_s;
-}
-
-/// Compares a field with the reference.
-void compare(Impl& s, double since_last_s) {
-    if (s.cycle.empty()) forget_last_cycle(s);
-    s.step.image_of_cycle = static_cast<int>(s.cycle.size()) + 1;
-    const motion::MotionPrediction prediction = predict(s, since_last_s);
-    const bool is_credible = measure_newest(s, prediction, since_last_s);
-    record_vectors(s, is_credible);
-    accept_motion(s, is_credible, prediction, since_last_s);
-    publish_motion(s, since_last_s);
-    judge_blocks(s);
-    observe_pitch(s);
-    if (!s.step.end_of_cycle) return;
-    publish_obstacles(s);
-    begin_cycle(s);
-    learn_pitch(s);
-}
-
-/// Takes in a field that can be used.
-void follow(Impl& s, const Field& field) {
-    const double since_last_s = s.has_reference ? field.timestamp_s - last_picture_s(s) : 0.0;
-    const bool new_camera = !s.has_reference || !same_geometry(s.camera, field.camera);
-    if (new_camera) s.pitch.restart();
-    s.newest = {field, RayMapper(field.camera)};
-    correct_pitch(s, s.newest);
-    if (new_camera || since_last_s > s.params.rate.gap_max_s) {
-        restart(s, new_camera);
-    } else {
-        compare(s, since_last_s);
-    }
-}
-
-flow::Matcher own_matcher(const Params& params) {
-    if (params.flow.matcher != flow::MatcherKind::Sad) {
-        throw std::invalid_argument(
-            "flow.matcher = lk: the pipeline itself has no such matcher; give it one, or use make_state() of "
-            "flownav::sensor");
-    }
-    return flow::BlockMatcher(params.flow, params.threads);
-}
 
 }  // namespace
 
-State::State(const Params& params) : State(params, own_matcher(params)) {}
-State::State(const Params& params, flow::Matcher matcher) : impl_(std::make_unique<Impl>()) {
-    impl_->params = params;
-    impl_->matcher = std::move(matcher);
-}
+State::State(const Params& params)
+    : State(params, flow::make_matcher(params.flow.matcher, params.flow, params.threads)) {}
+State::State(const Params& params, flow::Matcher matcher)
+    : impl_(std::make_unique<Impl>(params, std::move(matcher))) {}
 State::~State() = default;
 State::State(State&&) noexcept = default;
 State& State::operator=(State&&) noexcept = default;
 
 State State::clone() const {
-    State copy(impl_->params, impl_->matcher);
+    State copy(Params{}, flow::Matcher());
     *copy.impl_ = *impl_;
     return copy;
 }
 
 const Step& State::last_step() const {
-    return impl_->step;
+    return impl_->last_step();
 }
 
 const Step& step(State& state, const Field& field) {
-    Impl& s = state.impl();
-    clear_outputs(s.step);
-    const FieldFault fault = fault_of(field, s.newest_s);
-    const double since_field_s = begin_step(s, field, fault);
-    if (fault == FieldFault::None) {
-        follow(s, field);
-    } else {
-        carry_over(s, s.has_reference ? s.newest_s.value_or(0.0) - last_picture_s(s) : 0.0, since_field_s);
-    }
-    s.carried_error.note(s.step, s.has_reference ? since_field_s : 0.0, s.params.rate.carry_max_s);
-    s.step.carried = s.carried_error.pose();
-    return s.step;
+    return state.impl_->take(field);
 }
 
 const char* kernel_name() {
     return flow::default_kernel().name;
+}
+
+const Step& State::Impl::take(const Field& field) {
+    const FieldFault fault = fault_of(field, newest_s_);
+    record_field(step_, field, fault, newest_s_);
+    const bool in_time = fault != FieldFault::TimeNotRising;
+    const double since_field_s = in_time && newest_s_ ? field.timestamp_s - *newest_s_ : 0.0;
+    if (in_time) newest_s_ = field.timestamp_s;
+    if (fault == FieldFault::None) {
+        follow(field);
+    } else {
+        carry_over_field(since_field_s);
+    }
+    carried_error_.note(step_, has_reference_ ? since_field_s : 0.0, params_.rate.carry_max_s);
+    record_carried_pose(step_, carried_error_.pose());
+    return step_;
+}
+
+/// Compares the field with the reference, or begins a new chain with it.
+void State::Impl::follow(const Field& field) {
+    const double since_last_s = has_reference_ ? field.timestamp_s - last_picture_s() : 0.0;
+    const bool new_camera = !has_reference_ || !same_geometry(camera_, field.camera);
+    if (new_camera) pitch_.restart();
+    newest_ = {field, RayMapper(field.camera)};
+    correct_pitch(newest_);
+    record_pitch(step_, pitch_.correction_rad());
+    if (new_camera || since_last_s > params_.rate.gap_max_s) {
+        restart(new_camera);
+    } else {
+        compare(since_last_s);
+    }
+}
+
+/// Begins a new chain: no field before the newest can be compared with it.
+void State::Impl::restart(bool new_camera) {
+    if (new_camera) new_layout();
+    record_start(step_, has_reference_);
+    rates_ = {};
+    begin_cycle();
+}
+
+/// The stages: flow, ego-motion, odometry, classes of the blocks, surroundings.
+void State::Impl::compare(double since_last_s) {
+    const int image = static_cast<int>(cycle_.size()) + 1;
+    const Elapsed elapsed{since_last_s, newest_.field.timestamp_s - reference_.field.timestamp_s};
+    const motion::MotionPrediction prediction = predict(rates_, cycle_, elapsed);
+    const bool is_credible =
+        measure_motion({reference_, newest_, layout_, coarse_layout_, rates_, cycle_, since_last_s},
+                       prediction, {params_, matcher_}, measured_, trial_);
+    record_vectors(step_,
+                   {measured_, layout_, reference_.field.camera.mount, params_.flow, is_credible, image});
+
+    const AcceptedMotion accepted =
+        estimate(measured_, is_credible, prediction, rates_.sigma_v_relative, since_last_s);
+    const IntegratedMotion integrated =
+        integrate(accepted, odometry_, rates_, newest_.field.timestamp_s, elapsed, params_.rate.carry_max_s);
+    const CyclePlan plan =
+        plan_after(accepted, integrated.rates, image, quality_, since_last_s, params_.rate);
+    record_motion(step_, accepted, integrated, plan);
+    cycle_.push_back(image_of_cycle(reference_.field.camera, accepted.motion, measured_.estimate.noise_factor,
+                                    params_.motion.geometry));
+
+    classify(step_.blocks, cycle_, layout_, params_.obstacles, classes_);
+    record_labels(step_, classes_);
+    advance(accepted, integrated, plan);
+    if (!plan.ends) return;
+    reconstruct({step_.blocks, classes_, cycle_, reference_, newest_}, params_.obstacles, surroundings_);
+    record_surroundings(step_, surroundings_);
+    end_cycle(accepted.motion);
+}
+
+/// Keeps the results of a field for the next one.
+void State::Impl::advance(const AcceptedMotion& accepted, const IntegratedMotion& integrated,
+                          const CyclePlan& plan) {
+    const bool ok = accepted.status == FieldStatus::Ok;
+    rates_ = integrated.rates;
+    odometry_.counted = integrated.counted;
+    T_start_robot_ = integrated.T_start_robot;
+    quality_ = plan.quality;
+    if (!ok) return;
+    odometry_.measured = accepted.motion;
+    odometry_.measured_s = newest_.field.timestamp_s;
+    // Vectors of the second half of a cycle: those of one block end anywhere in a pixel.
+    const bool second_half = 2 * static_cast<int>(cycle_.size()) >= plan.images;
+    if (params_.pitch_online && second_half)
+        pitch_.observe(measured_.samples, reference_.field.camera, accepted.motion, params_.motion.geometry);
+}
+
+/// The newest field becomes the reference, with the pitch that this cycle taught.
+void State::Impl::end_cycle(const EgoMotion& motion) {
+    pipeline::end_cycle(classes_);
+    begin_cycle();
+    if (!params_.pitch_online) return;
+    pitch_.learn(motion);
+    correct_pitch(reference_);
+    aim_layouts();
+}
+
+void State::Impl::begin_cycle() {
+    std::swap(reference_, newest_);
+    cycle_.clear();
+    has_reference_ = true;
+    quality_.failures = 0;
+    odometry_ = {T_start_robot_, EgoMotion{}, EgoMotion{}, reference_.field.timestamp_s};
+    aim_layouts();
+}
+
+/// Carries the odometry on over a field without a usable image; the reference stays.
+void State::Impl::carry_over_field(double since_field_s) {
+    const double since_picture_s = has_reference_ ? newest_s_.value_or(0.0) - last_picture_s() : 0.0;
+    const CarriedMotion motion = carry_over(rates_, since_picture_s, since_field_s, params_.rate.carry_max_s);
+    T_start_robot_ = compose(T_start_robot_, motion.T_before_now);
+    record_carried_motion(step_, motion, T_start_robot_);
+}
+
+/// Places the blocks for the camera of the newest field.
+void State::Impl::new_layout() {
+    camera_ = newest_.field.camera;
+    layout_ = flow::place_blocks(newest_.mapper, params_.flow);
+    coarse_layout_ = flow::every_nth(layout_, coarse_step);
+    reset(classes_, layout_.size());
+    surroundings_.scan = obstacles::scan_layout(newest_.mapper, params_.obstacles);
+    record_layout(step_, layout_.size(), surroundings_.scan);
+}
+
+void State::Impl::aim_layouts() {
+    flow::set_reference(layout_, reference_.mapper);
+    flow::set_reference(coarse_layout_, reference_.mapper);
+}
+
+/// Adds the learnt correction to the pitch of an image's camera.
+void State::Impl::correct_pitch(ReferenceImage& image) const {
+    if (pitch_.correction_rad() == 0.0) return;
+    image.field.camera.mount.pitch_rad = camera_.mount.pitch_rad + pitch_.correction_rad();
+    image.mapper = RayMapper(image.field.camera);
+}
+
+/// Time stamp of the last field that could be compared.
+double State::Impl::last_picture_s() const {
+    return (cycle_.empty() ? reference_ : newest_).field.timestamp_s;
 }
 
 }  // namespace flownav::pipeline

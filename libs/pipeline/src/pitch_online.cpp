@@ -3,19 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flownav/math/units.h"
+
 namespace flownav::pipeline {
 namespace {
 
-constexpr double deg = M_PI / 180;
 constexpr double gain_min = 0.1;
 constexpr double variance_gain = 0.1;
-constexpr double variance_min_rad2 = 0.003 * deg * 0.003 * deg;
+constexpr double variance_min_rad2 = 0.003 * degree_rad * 0.003 * degree_rad;
 constexpr int ground_vectors_min = 40;
 constexpr double ground_share_min = 0.6;  // of the vectors where the near floor is expected
 constexpr double noise_factor_max = 2.0;
-constexpr double sigma_max_rad = 0.5 * deg;
-constexpr double innovation_max_rad = 1.0 * deg;
-constexpr double correction_max_rad = 5.0 * deg;
+constexpr double sigma_max_rad = 0.5 * degree_rad;
+constexpr double innovation_max_rad = 1.0 * degree_rad;
+constexpr double correction_max_rad = 5.0 * degree_rad;
 
 }  // namespace
 

@@ -21,8 +21,8 @@ namespace flownav::regress {
 
 namespace {
 
-constexpr int bad_usage = 1;       // as flownav-replay has it
-constexpr int cannot_start = 127;  // as shells have it
+constexpr int bad_usage = 1;       // as in flownav-replay
+constexpr int cannot_start = 127;  // as in shells
 constexpr std::size_t tail_bytes = 2000;
 
 void redirect(const char* path, int flags, int descriptor) {
@@ -34,7 +34,7 @@ void redirect(const char* path, int flags, int descriptor) {
 void detach(pid_t parent) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(cannot_start);  // it is gone already
+    if (getppid() != parent) _exit(cannot_start);  // the parent has ended already
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -42,7 +42,7 @@ void detach(pid_t parent) {
     signal(SIGXFSZ, SIG_DFL);
 }
 
-/// Whether it is the file that the manifest means; says why not.
+/// Compares the rawlog with the manifest's sha256; writes the reason to stderr when it differs.
 bool is_the_rawlog(const ChildTask& task) try {
     const std::string sha256 = sha256_of_file(task.rawlog);
     if (sha256 == task.sha256) return true;
@@ -82,7 +82,7 @@ pid_t start_child(const ChildTask& task) {
     const pid_t child = fork();
     if (child < 0) throw std::system_error(errno, std::generic_category(), "cannot start a process");
     if (child == 0) run_in_child(task, parent);
-    setpgid(child, child);  // whoever comes first
+    setpgid(child, child);  // both processes set the group, because either may run first
     return child;
 }
 

@@ -26,7 +26,7 @@ double number_of(const std::string& cell) {
     return error == std::errc() && end == cell.data() + cell.size() ? value : std::nan("");
 }
 
-/// Cells beyond the names are left out, those that are missing are not a number.
+/// Cells beyond the names are ignored; missing cells become NaN.
 Columns read_rows(std::istream& stream, const std::vector<std::string>& names, char separator) {
     Columns columns;
     for (std::string line; std::getline(stream, line);) {

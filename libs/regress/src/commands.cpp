@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "figure_text.h"
+#include "flownav/cli/usage_error.h"
 #include "flownav/io/output_file.h"
 #include "flownav/regress/exit_status.h"
 #include "flownav/regress/expectation.h"
@@ -12,7 +13,6 @@
 #include "flownav/regress/manifest.h"
 #include "flownav/regress/run_results.h"
 #include "flownav/regress/store.h"
-#include "flownav/regress/usage_error.h"
 #include "run_progress.h"
 
 namespace flownav::regress {
@@ -39,7 +39,7 @@ void write_merged(const fs::path& output, const RunResults& results) {
 RunResults results_of(const Options& options) {
     const Manifest manifest = read_manifest(options.manifest);
     if (!fs::is_directory(options.output))
-        throw UsageError("--output " + options.output.string() + ": no such folder");
+        throw cli::UsageError("--output " + options.output.string() + ": no such folder");
     return collect(manifest, options.output);
 }
 
@@ -47,16 +47,16 @@ RunResults unmixed_results_of(const Options& options) {
     RunResults results = results_of(options);
     const std::string mixture = mixture_in(results);
     if (!mixture.empty())
-        throw UsageError(options.output.string() + ": " + mixture + "; run again with one of them");
+        throw cli::UsageError(options.output.string() + ": " + mixture + "; run again with one of them");
     return results;
 }
 
 void refuse_other_version(const Expectation& expectation, const RunResults& results, const Options& options) {
     const std::string program = program_of(results);
     if (options.any_version || program.empty() || program == expectation.replayed_by) return;
-    throw UsageError("expectation " + options.expected.string() + " is of " + expectation.replayed_by +
-                     ", the results are of " + program +
-                     ": accept them, or compare all the same with --any-version");
+    throw cli::UsageError("expectation " + options.expected.string() + " is of " + expectation.replayed_by +
+                          ", the results are of " + program +
+                          ": accept them, or compare all the same with --any-version");
 }
 
 void say_deviations(const std::vector<Deviation>& deviations, std::ostream& out) {
@@ -106,7 +106,8 @@ int status_of(const RunTally& tally) {
 
 int run_manifest(const Options& options, std::ostream& out) {
     const fs::path folder = fs::absolute(options.folders.front()).lexically_normal();
-    if (!fs::is_directory(folder)) throw UsageError(options.folders.front().string() + ": no such folder");
+    if (!fs::is_directory(folder))
+        throw cli::UsageError(options.folders.front().string() + ": no such folder");
     const bool to_file = !options.output.empty();
     const fs::path root =
         to_file ? fs::absolute(options.output).lexically_normal().parent_path() : fs::current_path();

@@ -2,10 +2,10 @@
 
 #include "compare_page.h"
 #include "figure_text.h"
+#include "flownav/cli/usage_error.h"
 #include "flownav/regress/commands.h"
 #include "flownav/regress/comparison_text.h"
 #include "flownav/regress/exit_status.h"
-#include "flownav/regress/usage_error.h"
 
 namespace flownav::regress {
 
@@ -18,7 +18,7 @@ constexpr std::size_t most_lines = 40;
 RunResults results_in(const fs::path& folder) {
     RunResults results = collect_all(folder);
     if (count(Outcome::Missing, results) == results.size())
-        throw UsageError(folder.string() + ": no results of flownav-regress run there");
+        throw cli::UsageError(folder.string() + ": no results of flownav-regress run there");
     return results;
 }
 

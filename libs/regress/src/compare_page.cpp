@@ -7,6 +7,7 @@
 #include "flownav/regress/comparison_text.h"
 #include "flownav/regress/drive_pair.h"
 #include "flownav/report/html.h"
+#include "flownav/report/palette.h"
 #include "pages.h"
 
 namespace flownav::regress {
@@ -22,7 +23,7 @@ const RawlogResult& result_of(const std::string& id, const RunResults& results) 
                          [&id](const RawlogResult& rawlog) { return rawlog.id == id; });
 }
 
-/// Numbers that JSON does not know become null.
+/// Numbers that JSON cannot hold become null.
 Json changes_json(const Comparison& comparison) {
     Json changes = Json::array();
     for (const Change& change : comparison.changes) {
@@ -62,7 +63,7 @@ std::string rawlogs_html(const char* what, const std::vector<std::string>& ids) 
     return report::html::paragraph(what + std::string(": ") + list);
 }
 
-/// What the two runs are, and what is not the same in them.
+/// Lists the two runs and the differences of their setup.
 std::string runs_html(const Comparison& comparison, const NamedRuns& runs) {
     std::string rows =
         report::html::row({{"folder"}, {runs.name_before}, {runs.name_after}}) +
@@ -87,14 +88,13 @@ std::string runs_html(const Comparison& comparison, const NamedRuns& runs) {
 }  // namespace
 
 std::string compare_html(const Comparison& comparison, const NamedRuns& runs) {
-    const RunColours colours;
     const Json data = {{"ids", comparison.ids},
                        {"changes", changes_json(comparison)},
                        {"drives", drives_json(comparison, runs)},
                        {"colours",
-                        {{"a", css_colour(colours.before)},
-                         {"b", css_colour(colours.after)},
-                         {"truth", css_colour(colours.truth)}}}};
+                        {{"a", report::palette::run_a.css()},
+                         {"b", report::palette::run_b.css()},
+                         {"truth", report::palette::run_truth.css()}}}};
     const std::string body =
         summary_html(comparison) + runs_html(comparison, runs) +
         "<noscript><p class='bad'>This page needs JavaScript.</p></noscript>\n"

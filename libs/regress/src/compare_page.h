@@ -6,14 +6,14 @@
 
 namespace flownav::regress {
 
-/// Two runs, as a page shows them.
+/// Two runs with their names.
 struct NamedRuns {
-    std::string name_before, name_after;  ///< their folders
+    std::string name_before, name_after;  ///< names of their folders
     RunResults before, after;
 };
 
-/// A page that opens offline: what changed at a glance, every change, and the ways, maps and curves of both
-/// runs. It holds those of the rawlogs that changed most only, lest it become too large.
+/// Builds a page that opens offline: a summary, every change, and the paths, maps and curves of both runs. To
+/// limit its size, only the rawlogs with the largest changes have paths, maps and curves.
 std::string compare_html(const Comparison& comparison, const NamedRuns& runs);
 
 }  // namespace flownav::regress

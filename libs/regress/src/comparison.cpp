@@ -23,7 +23,7 @@ const std::optional<double>* find(const Figures& figures, const std::string& nam
     return found == figures.end() ? nullptr : &found->second;
 }
 
-/// A figure that says how good something is and is no longer known is worse.
+/// A rated figure that is missing afterwards counts as worse.
 Verdict verdict_of(const std::string& figure, const std::optional<double>& before,
                    const std::optional<double>& after) {
     const Better better = figure_rule(figure, before.value_or(0.0)).better;
@@ -36,7 +36,7 @@ std::string text_of(const std::optional<double>* value) {
     return value == nullptr ? not_there : value_text(*value);
 }
 
-/// `before` and `after`: null where that run has no such figure.
+/// `before` and `after`: null when that run has no such figure.
 Change change_of(const std::string& id, const std::string& figure, const std::optional<double>* before,
                  const std::optional<double>* after) {
     Change change{id, figure, text_of(before), text_of(after), "", {}, 0.0, Verdict::Unknown};
@@ -91,7 +91,7 @@ void compare_rawlog(const RawlogResult& before, const RawlogResult& after, std::
     }
 }
 
-/// What got better is last; among the others those that one cannot judge may be worse.
+/// Order of the changes: improvements last, the others by falling severity.
 bool is_worse(const Change& one, const Change& other) {
     const bool better = one.verdict == Verdict::Better;
     if (better != (other.verdict == Verdict::Better)) return !better;

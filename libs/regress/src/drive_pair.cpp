@@ -1,13 +1,13 @@
 #include "flownav/regress/drive_pair.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "flownav/mapping/export.h"
 #include "flownav/regress/paired_charts.h"
 #include "flownav/regress/paired_maps.h"
 #include "flownav/report/data_uri.h"
+#include "flownav/report/palette.h"
 
 namespace flownav::regress {
 
@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_times = 600;
 
-/// As short as it may be; null when it is no number.
+/// Rounds a value to its shortest text; null for a value that is not finite.
 Json rounded(double value, int decimals) {
     if (!std::isfinite(value)) return nullptr;
     const double power = std::pow(10.0, decimals);
@@ -46,7 +46,7 @@ Json chart_json(const report::ReportChart& whole) {
             {"difference", rounded_all(chart.series.at(2).values, chart.decimals)}};
 }
 
-/// Every k-th pose, and the last.
+/// The trajectory with every k-th pose and the last one.
 Json way_json(const std::filesystem::path& file) {
     const Columns columns = read_tum(file);
     if (columns.empty()) return nullptr;
@@ -76,8 +76,11 @@ Json maps_json(const RawlogResult& before, const RawlogResult& after) {
     if (!map_before || !map_after) return nullptr;
     const auto maps = paired(*map_before, *map_after);
     if (!maps) return nullptr;
-    const RunColours run;
-    const DifferenceColours colours = {run.before, run.after, {60, 60, 60}, {255, 255, 255}, {205, 205, 205}};
+    const DifferenceColours colours = {report::palette::run_a.bgr(),
+                                       report::palette::run_b.bgr(),
+                                       {60, 60, 60},
+                                       report::palette::paper.bgr(),
+                                       cv::Vec3b::all(mapping::MapFiles::unknown)};
     return {{"x", rounded(maps->left_m, 4)},
             {"y", rounded(maps->bottom_m, 4)},
             {"cell", rounded(maps->cell_m, 4)},
@@ -92,12 +95,6 @@ Json maps_json(const RawlogResult& before, const RawlogResult& after) {
 }
 
 }  // namespace
-
-std::string css_colour(const cv::Vec3b& colour) {
-    std::array<char, 8> text{};
-    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", colour[2], colour[1], colour[0]);
-    return text.data();
-}
 
 Json drive_pair(const RawlogResult& before, const RawlogResult& after) {
     Json pair = {{"ways", ways_json(before, after)}, {"maps", maps_json(before, after)}};

@@ -1,8 +1,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "flownav/cli/usage_error.h"
 #include "flownav/regress/expectation.h"
-#include "flownav/regress/usage_error.h"
 
 namespace flownav::regress {
 
@@ -32,9 +32,9 @@ ExpectedFigure figure_of(const Json& json) {
     if (!value.is_null()) figure.value = value.get<double>();
     figure.tolerance.relative = json.contains("relative");
     if (figure.tolerance.relative == json.contains("absolute"))
-        throw UsageError("needs either \"absolute\" or \"relative\", the tolerance");
+        throw cli::UsageError("needs either \"absolute\" or \"relative\", the tolerance");
     figure.tolerance.value = json.at(figure.tolerance.relative ? "relative" : "absolute").get<double>();
-    if (!(figure.tolerance.value >= 0.0)) throw UsageError("its tolerance must be a number from 0 on");
+    if (!(figure.tolerance.value >= 0.0)) throw cli::UsageError("its tolerance must be a number from 0 on");
     return figure;
 }
 
@@ -45,7 +45,7 @@ ExpectedRawlog rawlog_of(const Json& json, const std::string& id) {
         try {
             rawlog.figures[name] = figure_of(figure);
         } catch (const std::exception& error) {
-            throw UsageError(id + ", " + name + ": " + error.what());
+            throw cli::UsageError(id + ", " + name + ": " + error.what());
         }
     }
     return rawlog;
@@ -54,8 +54,8 @@ ExpectedRawlog rawlog_of(const Json& json, const std::string& id) {
 Expectation expectation_of(const Json& json) {
     const int written_format = json.at("format");
     if (written_format != format)
-        throw UsageError("its format is " + std::to_string(written_format) + ", this program reads format " +
-                         std::to_string(format));
+        throw cli::UsageError("its format is " + std::to_string(written_format) +
+                              ", this program reads format " + std::to_string(format));
     Expectation expectation;
     expectation.replayed_by = json.at("replayed_by");
     for (const auto& [id, rawlog] : json.at("rawlogs").items())
@@ -68,12 +68,12 @@ Expectation expectation_of(const Json& json) {
 Expectation read_expectation(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream)
-        throw UsageError("expectation " + file.string() +
-                         ": cannot be read; flownav-regress accept writes one");
+        throw cli::UsageError("expectation " + file.string() +
+                              ": cannot be read; flownav-regress accept writes one");
     try {
         return expectation_of(Json::parse(stream));
     } catch (const std::exception& error) {
-        throw UsageError("expectation " + file.string() + ": " + error.what());
+        throw cli::UsageError("expectation " + file.string() + ": " + error.what());
     }
 }
 
@@ -81,7 +81,7 @@ std::string expectation_text(const Expectation& expectation) {
     Json rawlogs = Json::object();
     for (const auto& [id, rawlog] : expectation.rawlogs) rawlogs[id] = json_of(rawlog);
     const Json head = {{"format", format}, {"replayed_by", expectation.replayed_by}};
-    // A line a figure: people read and edit this file.
+    // One line per figure, because the file is read and edited by hand.
     std::string text = "{\n  \"format\": " + head["format"].dump() +
                        ",\n  \"replayed_by\": " + head["replayed_by"].dump() + ",\n  \"rawlogs\": {";
     const char* next_rawlog = "\n";

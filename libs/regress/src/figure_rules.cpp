@@ -6,7 +6,7 @@ namespace flownav::regress {
 
 namespace {
 
-/// For all figures whose name ends like this: the share, and the difference that is allowed in any case.
+/// Tolerances of the figures whose name matches: a share, and an absolute difference that is always allowed.
 struct Row {
     const char* prefix;
     const char* suffix;
@@ -15,8 +15,8 @@ struct Row {
     Better better;
 };
 
-/// The first that fits counts. The same program gives the same figures on the same machine; the differences
-/// are what another machine's arithmetic library may do, and what nobody would call a change.
+/// The first matching row applies. One machine reproduces all figures exactly; the tolerances cover other
+/// arithmetic libraries and insignificant changes.
 constexpr Row rows[] = {
     {"read.", "", 0, 0, Better::Unknown},
     {"rejected.", "", 0, 0, Better::Unknown},
@@ -54,7 +54,7 @@ bool fits(const Row& row, const std::string& figure) {
 const Row& row_of(const std::string& figure) {
     for (const Row& row : rows)
         if (fits(row, figure)) return row;
-    return rows[0];  // never: the last row fits all
+    return rows[0];  // not reached: the last row matches every figure
 }
 
 int sign(double value) {

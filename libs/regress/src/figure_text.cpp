@@ -14,7 +14,7 @@ std::string digits(double value, const char* format) {
     return text.data();
 }
 
-/// As a share of what it was; empty where that makes no sense.
+/// Change as a share of `before`; empty when the share is not defined.
 std::string percent_text(double before, double after) {
     if (before == 0.0) return "";
     return " (" + digits(100.0 * (after - before) / std::abs(before), "%+.1f") + " %)";

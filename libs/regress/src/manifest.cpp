@@ -6,8 +6,8 @@
 #include <sstream>
 #include <system_error>
 
+#include "flownav/cli/usage_error.h"
 #include "flownav/regress/sha256.h"
-#include "flownav/regress/usage_error.h"
 
 namespace flownav::regress {
 
@@ -29,7 +29,7 @@ bool is_id(const std::string& text) {
            std::all_of(text.begin(), text.end(), allowed);
 }
 
-/// Apart by tabs, or by blanks where there are none.
+/// Splits a line at tabs, or at blanks when it has no tabs.
 std::vector<std::string> fields_of(const std::string& line) {
     std::vector<std::string> fields;
     std::istringstream stream(line);
@@ -45,7 +45,7 @@ std::vector<std::string> fields_of(const std::string& line) {
 void add_setting(ManifestEntry& entry, const std::string& setting) {
     const auto equals = setting.find('=');
     if (equals == std::string::npos)
-        throw UsageError("'" + setting + "': needs the form config=FILE.ini or section.key=value");
+        throw cli::UsageError("'" + setting + "': needs the form config=FILE.ini or section.key=value");
     if (setting.compare(0, equals, "config") == 0) {
         entry.config = setting.substr(equals + 1);
     } else {
@@ -55,14 +55,14 @@ void add_setting(ManifestEntry& entry, const std::string& setting) {
 
 ManifestEntry entry_of(const std::vector<std::string>& fields) {
     if (fields.size() < least_fields)
-        throw UsageError(std::to_string(fields.size()) +
-                         " field(s), needs at least 3: identifier, path, sha256");
+        throw cli::UsageError(std::to_string(fields.size()) +
+                              " field(s), needs at least 3: identifier, path, sha256");
     ManifestEntry entry{fields[0], fields[1], fields[2], {}, {}};
-    if (!is_id(entry.id)) throw UsageError("identifier '" + entry.id + "': " + allowed_id);
-    if (entry.rawlog.empty()) throw UsageError("'" + entry.id + "' has an empty path");
+    if (!is_id(entry.id)) throw cli::UsageError("identifier '" + entry.id + "': " + allowed_id);
+    if (entry.rawlog.empty()) throw cli::UsageError("'" + entry.id + "' has an empty path");
     if (!is_sha256(entry.sha256))
-        throw UsageError("sha256 '" + entry.sha256 + "' of '" + entry.id +
-                         "': must be 64 hexadecimal digits in lower case");
+        throw cli::UsageError("sha256 '" + entry.sha256 + "' of '" + entry.id +
+                              "': must be 64 hexadecimal digits in lower case");
     for (std::size_t i = least_fields; i < fields.size(); ++i)
         if (!fields[i].empty()) add_setting(entry, fields[i]);
     return entry;
@@ -101,7 +101,7 @@ std::vector<std::filesystem::path> rawlogs_below(const std::filesystem::path& fo
         if (error) break;
         if (at->is_regular_file() && is_rawlog(at->path())) files.push_back(at->path());
     }
-    if (error) throw UsageError(folder.string() + ": " + error.message());
+    if (error) throw cli::UsageError(folder.string() + ": " + error.message());
     std::sort(files.begin(), files.end());
     return files;
 }
@@ -119,15 +119,15 @@ Manifest parse_manifest(const std::string& text, const std::string& name) {
         const std::string place = name + ", line " + std::to_string(number) + ": ";
         try {
             manifest.push_back(entry_of(fields_of(line)));
-        } catch (const UsageError& error) {
-            throw UsageError(place + error.what());
+        } catch (const cli::UsageError& error) {
+            throw cli::UsageError(place + error.what());
         }
         const auto [other, is_new] = line_of_id.emplace(manifest.back().id, number);
         if (!is_new)
-            throw UsageError(place + "identifier '" + other->first + "' stands in line " +
-                             std::to_string(other->second) + " already");
+            throw cli::UsageError(place + "identifier '" + other->first + "' stands in line " +
+                                  std::to_string(other->second) + " already");
     }
-    if (manifest.empty()) throw UsageError(name + ": no rawlog in it");
+    if (manifest.empty()) throw cli::UsageError(name + ": no rawlog in it");
     return manifest;
 }
 
@@ -137,8 +137,8 @@ Manifest read_manifest(const std::filesystem::path& file) {
     std::ostringstream text;
     text << stream.rdbuf();
     if (!stream || std::filesystem::is_directory(file))
-        throw UsageError("manifest " + file.string() + ": cannot be read" +
-                         (errno != 0 ? ": " + std::generic_category().message(errno) : std::string()));
+        throw cli::UsageError("manifest " + file.string() + ": cannot be read" +
+                              (errno != 0 ? ": " + std::generic_category().message(errno) : std::string()));
     return parse_manifest(text.str(), file.string());
 }
 
@@ -149,14 +149,15 @@ std::string manifest_of_folder(const std::filesystem::path& folder, const std::f
         const std::string id = id_of(file.lexically_relative(folder));
         const auto [other, is_new] = rawlog_of_id.emplace(id, file);
         if (!is_new)
-            throw UsageError(file.string() + " and " + other->second.string() +
-                             " would have the same identifier '" + id + "': rename one");
+            throw cli::UsageError(file.string() + " and " + other->second.string() +
+                                  " would have the same identifier '" + id + "': rename one");
         if (file.string().find_first_of("\t\n\r") != std::string::npos)
-            throw UsageError(file.string() + ": its path holds a tab or a line end: rename it");
+            throw cli::UsageError(file.string() + ": its path holds a tab or a line end: rename it");
         text +=
             id + '\t' + file.lexically_relative(root).generic_string() + '\t' + sha256_of_file(file) + '\n';
     }
-    if (text.empty()) throw UsageError(folder.string() + ": no *.rawlog and no *.rawlog.gz in it or below");
+    if (text.empty())
+        throw cli::UsageError(folder.string() + ": no *.rawlog and no *.rawlog.gz in it or below");
     return text;
 }
 

@@ -13,8 +13,7 @@ struct PageAssets {
 extern const PageAssets compare_assets;
 extern const PageAssets sweep_assets;
 
-/// A whole page that opens offline: title and heading, `body` (HTML), `data` (JSON, in the element `data`),
-/// the style sheet that all pages share, dygraphs, then the page's own.
+/// A page of flownav-regress that opens offline: title, body (HTML), data (JSON), and the page's own assets.
 std::string page(const std::string& title, const std::string& body, const std::string& data,
                  const PageAssets& assets);
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "flownav/math/units.h"
+
 namespace flownav::regress {
 
 namespace {
@@ -16,15 +18,14 @@ struct Quantity {
     double factor;
     double least_span;
     int decimals;
-    bool of_cycles;  ///< tells something at the end of a cycle only
+    bool of_cycles;  ///< valid at the end of a cycle only
 };
 
 constexpr auto every_field = "Every field; positive: to the left.";
 constexpr auto every_cycle = "At the end of each cycle.";
-constexpr double to_deg = 180.0 / M_PI;
 
 constexpr Quantity quantities[] = {
-    {"omega_radps", "Turn rate", "deg/s", every_field, to_deg, 1.0, 3, false},
+    {"omega_radps", "Turn rate", "deg/s", every_field, deg(1.0), 1.0, 3, false},
     {"v_mps", "Forward speed", "m/s", every_cycle, 1.0, 0.05, 4, true},
     {"obstacles", "Obstacle points", "", every_cycle, 1.0, 10.0, 0, true},
     {"confident", "Blocks with an unambiguous match", "", every_cycle, 1.0, 10.0, 0, true},
@@ -33,7 +34,7 @@ constexpr Quantity quantities[] = {
 
 constexpr double same_time_s = 1e-6;
 
-/// For every time that is in one of two rising lists: its row in each, or none.
+/// Merges two rising lists of times; each time has its row in both lists, or `none`.
 struct MergedTimes {
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
     std::vector<double> t;
@@ -53,7 +54,7 @@ MergedTimes merged(const std::vector<double>& a, const std::vector<double>& b) {
     return times;
 }
 
-/// Whether a row is the last of its cycle.
+/// True for the last row of a cycle.
 bool ends_cycle(const Columns& run, std::size_t row) {
     const std::vector<double>& image = run.at("image_of_cycle");
     return image[row] > 0.0 && (row + 1 == image.size() || image[row + 1] <= image[row]);
@@ -66,7 +67,7 @@ double value_at(const Columns& run, const Quantity& quantity, std::size_t row) {
     return std::isfinite(value) ? value * quantity.factor : report::ReportSeries::gap;
 }
 
-/// B - A at every time at which one of them has a value. What a cycle found holds until the end of the next.
+/// B - A at every time at which one of them has a value. With `holds`, a value is held until the next one.
 std::vector<double> differences(const std::vector<double>& a, const std::vector<double>& b, bool holds) {
     std::vector<double> values;
     double last_a = report::ReportSeries::none;

@@ -7,13 +7,16 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "flownav/io/picture_file.h"
+#include "flownav/mapping/export.h"
 
 namespace flownav::regress {
 
 namespace {
 
-constexpr std::uint8_t occupied = 0;
-constexpr std::uint8_t unknown = 205;
+using mapping::MapFiles;
+
+constexpr std::uint8_t occupied = MapFiles::occupied;
+constexpr std::uint8_t unknown = MapFiles::unknown;
 constexpr int margin_cells = 3;
 constexpr double most_cells = 1200.0;
 
@@ -23,7 +26,7 @@ struct Extent {
     bool empty() const { return left >= right; }
 };
 
-/// Makes `extent` hold what the map knows.
+/// Extends `extent` to the known cells of the map.
 void extend(Extent& extent, const MapFile& map) {
     for (int row = 0; row < map.cells.rows; ++row) {
         for (int column = 0; column < map.cells.cols; ++column) {
@@ -42,7 +45,7 @@ int rank(std::uint8_t cell) {
     return cell == occupied ? 2 : cell == unknown ? 0 : 1;
 }
 
-/// Enters all cells of a map into the cells of another raster.
+/// Draws all cells of a map into another raster.
 class Painter {
   public:
     Painter(cv::Mat& picture, const PairedMaps& raster) : picture_(picture), raster_(raster) {}
@@ -96,7 +99,7 @@ std::optional<MapFile> read_map(const std::filesystem::path& folder) try {
     map.bottom_m = yaml["origin"](1).as<double>();
     if (map.cells.empty() || !(map.cell_m > 0.0)) return std::nullopt;
     return map;
-} catch (const std::exception&) {  // MRPT's, for whatever is wrong with the text
+} catch (const std::exception&) {  // thrown by MRPT for an unreadable text
     return std::nullopt;
 }
 

@@ -7,9 +7,9 @@
 #include <sstream>
 #include <system_error>
 
+#include "flownav/cli/usage_error.h"
 #include "flownav/regress/job.h"
 #include "flownav/regress/sha256.h"
-#include "flownav/regress/usage_error.h"
 
 namespace flownav::regress {
 
@@ -36,12 +36,12 @@ std::vector<fs::path> candidates() {
 fs::path find_file(const std::string& program) {
     if (!program.empty()) {
         if (!can_be_started(program))
-            throw UsageError("--program " + program + ": no program that can be started");
+            throw cli::UsageError("--program " + program + ": no program that can be started");
         return fs::canonical(program);
     }
     for (const fs::path& file : candidates())
         if (can_be_started(file)) return fs::canonical(file);
-    throw UsageError("there is no flownav-replay beside this program or in PATH: give --program");
+    throw cli::UsageError("there is no flownav-replay beside this program or in PATH: give --program");
 }
 
 std::string quoted(const std::string& word) {
@@ -50,7 +50,7 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-/// What `file --version` says, in one line.
+/// Output of `file --version`, in one line.
 std::string version_of(const fs::path& file) {
     struct Close {
         void operator()(std::FILE* pipe) const { pclose(pipe); }
@@ -59,7 +59,7 @@ std::string version_of(const fs::path& file) {
     const std::unique_ptr<std::FILE, Close> pipe(popen(command.c_str(), "re"));
     std::array<char, 200> line{};
     if (!pipe || std::fgets(line.data(), line.size(), pipe.get()) == nullptr)
-        throw UsageError(file.string() + " does not tell its --version: is it a flownav-replay?");
+        throw cli::UsageError(file.string() + " does not tell its --version: is it a flownav-replay?");
     std::string version = line.data();
     version.erase(version.find_last_not_of(" \n") + 1);
     return version;

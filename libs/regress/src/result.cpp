@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// They say where and when something was, or repeat other figures.
+/// Numbers that are no figures: they locate an event or repeat other figures.
 const std::set<std::string> no_figures = {
     "input", "config", "timing", "read.observations", "written.result_rawlog", "drive.start_s"};
 
@@ -29,7 +29,7 @@ void flatten(const Json& part, const std::string& name, Figures& figures) {
     }
 }
 
-/// Nothing where there is no such file or it is no JSON.
+/// Empty for a missing file or invalid JSON.
 std::optional<Json> read_json(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) return std::nullopt;
@@ -39,7 +39,7 @@ std::optional<Json> read_json(const std::filesystem::path& file) {
 }
 
 std::string text_of(const Json& json) {
-    // Messages may hold bytes that are no UTF-8: they are replaced.
+    // Bytes of messages that are not UTF-8 are replaced.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
@@ -52,7 +52,7 @@ Json json_of(const Figures& figures) {
 }  // namespace
 
 std::string exact_text(const std::optional<double>& value) {
-    constexpr double all_whole_numbers = 9007199254740992.0;  // up to 2^53
+    constexpr double all_whole_numbers = 9007199254740992.0;  // 2^53: smaller whole numbers are exact
     if (!value) return "null";
     if (*value == std::trunc(*value) && std::abs(*value) < all_whole_numbers)
         return std::to_string(static_cast<long long>(*value));

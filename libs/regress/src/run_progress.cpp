@@ -1,9 +1,5 @@
 #include "run_progress.h"
 
-#include <unistd.h>
-
-#include <iostream>
-
 #include "flownav/cli/number_text.h"
 
 namespace flownav::regress {
@@ -25,35 +21,23 @@ std::string counts(const RunTally& tally) {
 }  // namespace
 
 RunProgress::RunProgress(std::ostream& out, bool quiet)
-    : out_(out), quiet_(quiet), terminal_(&out == &std::cout && isatty(STDOUT_FILENO) != 0) {}
+    : out_(out), line_(out, cli::is_terminal(out)), quiet_(quiet) {}
 
 void RunProgress::show(const RunTally& tally) {
     if (quiet_) return;
     const std::size_t tenths = 10 * finished(tally) / tally.all;
-    if (!terminal_ && tenths == tenths_shown_) return;
+    if (!line_.on_terminal() && tenths == tenths_shown_) return;
     tenths_shown_ = tenths;
-    const std::string line =
-        std::to_string(finished(tally)) + " of " + std::to_string(tally.all) + ": " + counts(tally);
-    if (!terminal_) {
-        out_ << line << std::endl;
-        return;
-    }
-    out_ << '\r' << line << "\x1b[K" << std::flush;
-    line_is_open_ = true;
-}
-
-void RunProgress::clear_line() {
-    if (line_is_open_) out_ << "\r\x1b[K" << std::flush;
-    line_is_open_ = false;
+    line_.show(std::to_string(finished(tally)) + " of " + std::to_string(tally.all) + ": " + counts(tally));
 }
 
 void RunProgress::say(std::ostream& to, const std::string& line) {
-    clear_line();
+    line_.clear();
     to << line << std::endl;
 }
 
 void RunProgress::finish(const RunTally& tally) {
-    clear_line();
+    line_.clear();
     if (quiet_) return;
     const double seconds = elapsed_s();
     out_ << tally.all << (tally.all == 1 ? " rawlog: " : " rawlogs: ") << counts(tally) << ", in "

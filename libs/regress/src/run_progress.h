@@ -4,32 +4,31 @@
 #include <ostream>
 #include <string>
 
+#include "flownav/cli/status_line.h"
 #include "flownav/regress/runner.h"
 
 namespace flownav::regress {
 
-/// Tells people how far a run is: one line that is rewritten on a terminal, else a line every ten percent.
+/// Shows how far a run is: with every rawlog on a terminal, else every ten percent.
 class RunProgress {
   public:
     RunProgress(std::ostream& out, bool quiet);
 
     void show(const RunTally& tally);
 
-    /// A line of its own, whether quiet or not.
+    /// Writes a line, also when quiet.
     void say(std::ostream& to, const std::string& line);
 
-    /// What came of it, unless quiet.
+    /// Shows the counts and the time of the whole run, unless quiet.
     void finish(const RunTally& tally);
 
   private:
     double elapsed_s() const;
-    void clear_line();
 
     std::ostream& out_;
+    cli::StatusLine line_;
     bool quiet_;
-    bool terminal_;
     std::size_t tenths_shown_ = 0;
-    bool line_is_open_ = false;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "flownav/cli/usage_error.h"
 #include "flownav/core/version.h"
 #include "flownav/regress/store.h"
-#include "flownav/regress/usage_error.h"
 
 namespace flownav::regress {
 
@@ -70,8 +70,8 @@ RunResults collect(const Manifest& manifest, const fs::path& output) {
 
 RunResults collect_all(const fs::path& output) {
     if (!fs::is_directory(output / "done") && !fs::is_directory(output / "failed"))
-        throw UsageError(output.string() +
-                         ": no results of flownav-regress run there (no folder done or failed)");
+        throw cli::UsageError(output.string() +
+                              ": no results of flownav-regress run there (no folder done or failed)");
     std::set<std::string> ids = names_in(output / "done");
     ids.merge(names_in(output / "failed"));
     RunResults results;

@@ -11,6 +11,7 @@
 #include <set>
 #include <system_error>
 
+#include "flownav/cli/exit_status.h"
 #include "flownav/io/output_file.h"
 #include "flownav/regress/child.h"
 #include "flownav/regress/result.h"
@@ -30,7 +31,7 @@ constexpr auto config_name = "config.ini";
 const std::set<std::string> figures_only = {"summary.json", "timing.json", config_name,
                                             messages_name,  result_file,   failure_file};
 
-/// The signals that this loop waits for are blocked while it lives.
+/// Blocks the signals that the run waits for during its lifetime.
 class BlockedSignals {
   public:
     BlockedSignals() {
@@ -42,7 +43,7 @@ class BlockedSignals {
     BlockedSignals(const BlockedSignals&) = delete;
     BlockedSignals& operator=(const BlockedSignals&) = delete;
 
-    /// The next signal, or 0 when none comes before `until`.
+    /// Waits for a signal. Returns 0 when none comes before `until`.
     int wait(Clock::time_point until) const {
         const auto left =
             std::max(std::chrono::nanoseconds(0), std::chrono::nanoseconds(until - Clock::now()));
@@ -56,13 +57,13 @@ class BlockedSignals {
     sigset_t set_{}, before_{};
 };
 
-/// A replay under way.
+/// A running replay.
 struct Running {
     const Job* job;
     ScratchFolder folder;
     pid_t child;
     Clock::time_point patience_ends;
-    bool too_long = false;  ///< it has been told to end
+    bool too_long = false;  ///< exceeded the time limit and was told to end
 };
 
 std::string seconds_text(double seconds) {
@@ -138,7 +139,7 @@ class Runner {
         return first;
     }
 
-    /// SIGCHLD needs nothing: collect() looks at every child.
+    /// SIGCHLD needs no action here: collect() checks every child.
     void take(int signal) {
         if (signal != SIGTERM && signal != SIGINT) return;
         tally_.ended_by_signal = signal;
@@ -166,7 +167,7 @@ class Runner {
                 ++at;
                 continue;
             }
-            signal_child(at->child, SIGKILL);  // what it may have started
+            signal_child(at->child, SIGKILL);  // ends processes that the child may have started
             const Running ended = std::move(*at);
             at = running_.erase(at);
             if (tally_.ended_by_signal == 0) finish(ended, state);
@@ -175,7 +176,7 @@ class Runner {
 
     void finish(const Running& ended, int state) try {
         const int status = WIFEXITED(state) ? WEXITSTATUS(state) : -1;
-        if (status == static_cast<int>(replay::ExitStatus::Output) && !ended.too_long)
+        if (status == cli::exit_code(cli::ExitStatus::Output) && !ended.too_long)
             throw io::OutputError(tail_of(ended.folder.path() / messages_name));
         part_timing(ended.folder.path());
         Result result = result_of(*ended.job, status, ended.folder.path());

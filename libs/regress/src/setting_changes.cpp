@@ -23,8 +23,11 @@ Settings settings_of(const std::string& text) {
     ini.getAllSections(sections);
     for (const std::string& section : sections) {
         ini.getAllKeys(section, keys);
-        for (const std::string& key : keys)
-            settings[setting_name(section, key)] = ini.read_string(section, key, "");
+        for (const std::string& key : keys) {
+            const config::Setting setting =
+                config::present_setting({setting_name(section, key), ini.read_string(section, key, "")});
+            settings[setting.key] = setting.value;
+        }
     }
     return settings;
 }

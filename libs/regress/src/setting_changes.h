@@ -9,10 +9,10 @@
 
 namespace flownav::regress {
 
-/// Collects what differs between the settings of two runs, over all rawlogs.
+/// Collects the settings that differ between two runs, over all rawlogs.
 class SettingChanges {
   public:
-    /// The settings of one rawlog, as inis of what is not the default.
+    /// Adds the settings of one rawlog: two inis with the values that are not defaults.
     void add(const std::string& before, const std::string& after);
 
     std::vector<SettingChange> all() const;

@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "flownav/regress/usage_error.h"
+#include "flownav/cli/usage_error.h"
 
 namespace flownav::regress {
 
@@ -11,7 +11,7 @@ namespace {
 constexpr const char* index_names[] = {"SHARD_INDEX", "SLURM_ARRAY_TASK_ID", "JOB_COMPLETION_INDEX",
                                        "AWS_BATCH_JOB_ARRAY_INDEX"};
 
-/// A value and where it comes from.
+/// A value and the name of its origin.
 struct Source {
     std::string name, text;
 };
@@ -34,7 +34,7 @@ std::size_t number(const Source& source) {
     const char* end = source.text.data() + source.text.size();
     const auto [stopped, error] = std::from_chars(source.text.data(), end, value);
     if (error != std::errc() || stopped != end)
-        throw UsageError(source.name + " is '" + source.text + "': must be a whole number from 0 on");
+        throw cli::UsageError(source.name + " is '" + source.text + "': must be a whole number from 0 on");
     return value;
 }
 
@@ -46,17 +46,17 @@ std::optional<Shard> find_shard(const std::string& index, const std::string& cou
     const auto count_from = count_source(count, environment);
     if (!index_from && !count_from) return std::nullopt;
     if (!count_from)
-        throw UsageError(index_from->name + " is " + index_from->text +
-                         ", but the number of shards is not known: give --shards or set SHARD_COUNT");
+        throw cli::UsageError(index_from->name + " is " + index_from->text +
+                              ", but the number of shards is not known: give --shards or set SHARD_COUNT");
     if (!index_from)
-        throw UsageError(count_from->name + " is " + count_from->text +
-                         ", but which shard is not known: give --shard or set SHARD_INDEX");
+        throw cli::UsageError(count_from->name + " is " + count_from->text +
+                              ", but which shard is not known: give --shard or set SHARD_INDEX");
     const Shard shard{number(*index_from), number(*count_from)};
-    if (shard.count == 0) throw UsageError(count_from->name + " is 0: must be at least 1");
+    if (shard.count == 0) throw cli::UsageError(count_from->name + " is 0: must be at least 1");
     if (shard.index >= shard.count)
-        throw UsageError(index_from->name + " is " + index_from->text + ", but there are only " +
-                         count_from->text + " shards (" + count_from->name + "): must be 0.." +
-                         std::to_string(shard.count - 1));
+        throw cli::UsageError(index_from->name + " is " + index_from->text + ", but there are only " +
+                              count_from->text + " shards (" + count_from->name + "): must be 0.." +
+                              std::to_string(shard.count - 1));
     return shard;
 }
 

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A new folder whose name begins with `name`.
+/// Creates a new folder whose name begins with `name`.
 fs::path make_unique_folder(const fs::path& parent, const std::string& name) {
     std::string path = parent / (name + ".XXXXXX");
     if (mkdtemp(path.data()) == nullptr)
@@ -28,7 +28,7 @@ fs::path make_unique_folder(const fs::path& parent, const std::string& name) {
     return path;
 }
 
-/// A descriptor of the folder that holds its lock, or -1.
+/// Locks a folder; returns a descriptor that holds the lock, or -1.
 int try_lock(const fs::path& folder) {
     const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0 || flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
@@ -36,7 +36,7 @@ int try_lock(const fs::path& folder) {
     return -1;
 }
 
-/// What is in a file shall be on the disk before the name that says it is complete.
+/// Flushes a file, so that its content is on the disk before the rename that marks it as complete.
 void flush_to_disk(const fs::path& path) {
     const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
     const bool flushed = descriptor >= 0 && fsync(descriptor) == 0;
@@ -56,7 +56,7 @@ void flush_folder(const fs::path& folder) {
 }  // namespace
 
 ScratchFolder::ScratchFolder(const fs::path& parent, const std::string& name) {
-    while (!fs::exists(path_)) {  // another process may take it for a left-over before it is locked
+    while (!fs::exists(path_)) {  // another process may remove it as a left-over before it is locked
         path_ = make_unique_folder(parent, name);
         lock_ = try_lock(path_);
     }
@@ -101,7 +101,7 @@ void Store::commit_failed(const ScratchFolder& result, const std::string& id, co
     if (!is_done(id, key)) discard(folder("done", id));
 }
 
-/// Whether it could be moved; false when `to` is there already.
+/// Returns false when `to` exists already.
 bool Store::move(const fs::path& from, const fs::path& to) const {
     std::error_code error;
     fs::rename(from, to, error);
@@ -112,7 +112,7 @@ bool Store::move(const fs::path& from, const fs::path& to) const {
     throw io::OutputError("cannot make " + to.string() + ": " + error.message());
 }
 
-/// Out of sight in one step, then gone.
+/// Renames the folder into tmp/ in one step, then removes it.
 void Store::discard(const fs::path& folder) const {
     if (!fs::exists(folder)) return;
     const ScratchFolder aside(root_ / "tmp", folder.filename());

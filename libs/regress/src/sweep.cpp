@@ -4,9 +4,9 @@
 #include <sstream>
 
 #include "flownav/cli/configuration.h"
+#include "flownav/cli/usage_error.h"
 #include "flownav/regress/commands.h"
 #include "flownav/regress/exit_status.h"
-#include "flownav/regress/usage_error.h"
 
 namespace flownav::regress {
 
@@ -19,15 +19,15 @@ constexpr std::size_t most_points = 10000;
 SweepAxis axis_of(const std::string& setting) {
     const auto equals = setting.find('=');
     if (equals == std::string::npos || equals == 0)
-        throw UsageError("--set " + setting + ": needs the form section.key=a,b,c");
+        throw cli::UsageError("--set " + setting + ": needs the form section.key=a,b,c");
     SweepAxis axis{setting.substr(0, equals), {}};
     std::istringstream values(setting.substr(equals + 1) + ',');
     std::set<std::string> seen;
     for (std::string value; std::getline(values, value, ',');) {
         if (value.empty() || value.find('/') != std::string::npos)
-            throw UsageError("--set " + setting + ": a value must not be empty and hold no '/'");
+            throw cli::UsageError("--set " + setting + ": a value must not be empty and hold no '/'");
         if (!seen.insert(value).second)
-            throw UsageError("--set " + setting + ": " + value + " stands there twice");
+            throw cli::UsageError("--set " + setting + ": " + value + " stands there twice");
         axis.values.push_back(value);
     }
     return axis;
@@ -73,7 +73,7 @@ std::vector<SweepAxis> sweep_axes(const std::vector<std::string>& settings) {
     for (const std::string& setting : settings) {
         axes.push_back(axis_of(setting));
         if (!keys.insert(axes.back().key).second)
-            throw UsageError("--set " + setting + ": " + axes.back().key + " is swept already");
+            throw cli::UsageError("--set " + setting + ": " + axes.back().key + " is swept already");
     }
     return axes;
 }
@@ -82,7 +82,7 @@ std::vector<SweepPoint> sweep_points(const std::vector<SweepAxis>& axes) {
     std::vector<SweepPoint> points = {{}};
     for (const SweepAxis& axis : axes) {
         if (points.size() * axis.values.size() > most_points)
-            throw UsageError("the sweep has more than " + std::to_string(most_points) + " combinations");
+            throw cli::UsageError("the sweep has more than " + std::to_string(most_points) + " combinations");
         std::vector<SweepPoint> more;
         for (const SweepPoint& point : points)
             for (const std::string& value : axis.values) more.push_back(with(point, axis.key, value));

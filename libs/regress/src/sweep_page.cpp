@@ -25,8 +25,8 @@ const char* word_for(Better better) {
     return "";
 }
 
-/// The values of one figure, a list a point with a number or null a rawlog. A replay that failed has part of
-/// a drive at best: its figures cannot be compared.
+/// Values of one figure: per point a list with a number or null per rawlog. Figures of failed replays are
+/// left out, because they cover part of the drive at best.
 Json values_of(const std::string& figure, const SweepResults& sweep) {
     Json values = Json::array();
     for (const RunResults& run : sweep.runs) {
@@ -48,7 +48,7 @@ bool varies(const Json& values) {
     return false;
 }
 
-/// Figures that are the same everywhere tell nothing.
+/// Figures with at least two different values.
 Json figures_of(const SweepResults& sweep) {
     std::set<std::string> names;
     for (const RunResults& run : sweep.runs) names.merge(figure_names(run));

@@ -3,6 +3,7 @@
 #include <system_error>
 
 #include "flownav/evaluation/summary.h"
+#include "flownav/io/gz_member.h"
 #include "flownav/mapping/export.h"
 #include "flownav/report/report.h"
 
@@ -13,7 +14,7 @@ namespace {
 constexpr const char* odometry_name = "odometry.tum";
 constexpr const char* ground_truth_name = "ground_truth.tum";
 
-/// The folder, ready for use: made, and without tracks that an earlier replay of another input left there.
+/// Creates the folder and removes pose tracks of an earlier replay. Throws OutputError.
 std::filesystem::path prepared(std::filesystem::path folder) {
     io::make_output_folder(folder);
     for (const char* name : {odometry_name, ground_truth_name}) {
@@ -25,12 +26,13 @@ std::filesystem::path prepared(std::filesystem::path folder) {
     return folder;
 }
 
-void write_map(const mrpt::maps::COccupancyGridMap2D& grid, const std::filesystem::path& folder) {
-    try {
-        mapping::export_map(grid, folder);
-    } catch (const std::exception& error) {
-        throw io::OutputError(error.what());
-    }
+void write_map(const mrpt::maps::COccupancyGridMap2D& grid, const std::filesystem::path& folder,
+               const mapping::OccupancyLimits& limits) {
+    const mapping::MapFiles files = mapping::export_map(grid, limits);
+    io::write_file(folder / "map.pgm", files.pgm);
+    io::write_file(folder / "map.yaml", files.yaml);
+    const std::vector<std::uint8_t> packed = io::gz_member(files.gridmap);
+    io::write_file(folder / "map.gridmap.gz", {reinterpret_cast<const char*>(packed.data()), packed.size()});
 }
 
 }  // namespace
@@ -84,8 +86,8 @@ void Outputs::finish(evaluation::Drive& drive, const report::ThumbnailStrip& thu
     written_.result_rawlog = rawlog_.counts();
     written_.odometry_poses = write_track(odometry_name, drive.odometry, drive);
     written_.ground_truth_poses = write_track(ground_truth_name, drive.ground_truth, drive);
-    write_map(map_.grid(), folder_);
-    written_.map_cells = mapping::count_cells(map_.grid());
+    write_map(map_.grid(), folder_, config_.map.occupancy);
+    written_.map_cells = mapping::count_cells(map_.grid(), config_.map.occupancy);
     drive.written = written_;
     io::write_file(folder_ / "report.html",
                    report::report_html(drive, thumbnail_strip, map_.grid(), config_, timing));

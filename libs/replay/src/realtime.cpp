@@ -24,7 +24,7 @@ namespace {
 
 struct Recording {
     std::vector<Field> fields;
-    std::string problem;  ///< why it is not all that is in the file; empty when it is
+    std::string problem;  ///< reason why it is incomplete; empty when it is complete
 };
 
 std::uint64_t bytes_of(const Field& field) {
@@ -67,7 +67,7 @@ Recording read_recording(const RealtimeOptions& options) {
     return recording;
 }
 
-/// Sleeping wakes a little late; that is part of what a robot's program sees, and of the latency.
+/// Clock that sleeps on the system's steady clock. Late wake-ups count as latency, as in a robot's program.
 PaceClock steady_pace() {
     using Clock = std::chrono::steady_clock;
     using Seconds = std::chrono::duration<double>;
@@ -79,14 +79,14 @@ PaceClock steady_pace() {
             }};
 }
 
-/// From a field to what the navigator reads.
+/// Processing chain from a field to the local map.
 class Chain {
   public:
     explicit Chain(const config::Config& config) : state_(config::make_state(config)), map_(config.map) {}
 
     void take(const Field& field) {
         const pipeline::Step& step = pipeline::step(state_, field);
-        if (step.obstacles.empty() && step.ground.empty()) {  // as the navigation stack does it
+        if (step.obstacles.empty() && step.ground.empty()) {  // as in the navigation stack
             map_.redraw(step.T_start_robot);
         } else {
             set_.timestamp_s = step.timestamp_s;
@@ -99,7 +99,7 @@ class Chain {
 
   private:
     pipeline::State state_;
-    mapping::ObstacleSet set_;  ///< its memory is used again and again
+    mapping::ObstacleSet set_;  ///< reused to avoid allocations
     mapping::LocalMap map_;
 };
 
@@ -118,7 +118,7 @@ PacedFields play(const std::vector<Field>& fields, const RealtimeOptions& option
     return replay_paced(times, count, steady_pace(), work);
 }
 
-/// What the operating system gives this program, as chrt(1) calls it.
+/// Scheduling policy of this process, named as by chrt(1).
 std::string scheduling() {
     switch (sched_getscheduler(0)) {
         case SCHED_FIFO:
@@ -131,7 +131,7 @@ std::string scheduling() {
 }
 
 double ms(double seconds) {
-    return std::round(seconds * 1e6) / 1e3;  // whole microseconds
+    return std::round(seconds * 1e6) / 1e3;  // rounds to whole microseconds
 }
 
 std::string to_json(const PacedFields& paced, const LatencyFigures& figures, const RealtimeOptions& options) {
@@ -162,7 +162,7 @@ ReplayResult run(const RealtimeOptions& options) {
     const Recording recording = read_recording(options);
     ReplayResult result;
     result.message = recording.problem;
-    if (!recording.problem.empty()) result.status = ExitStatus::Input;
+    if (!recording.problem.empty()) result.status = cli::ExitStatus::Input;
     if (recording.fields.size() < 2) return result;
     if (recording.fields.back().timestamp_s <= recording.fields.front().timestamp_s)
         throw config::ConfigError(options.input.string() + ": its fields do not follow each other in time");
@@ -181,9 +181,9 @@ ReplayResult replay_realtime(const RealtimeOptions& options) {
     try {
         return run(options);
     } catch (const config::ConfigError& error) {
-        return {ExitStatus::Usage, error.what(), {}, ""};
+        return {cli::ExitStatus::Usage, error.what(), {}, ""};
     } catch (const io::OutputError& error) {
-        return {ExitStatus::Output, error.what(), {}, ""};
+        return {cli::ExitStatus::Output, error.what(), {}, ""};
     }
 }
 

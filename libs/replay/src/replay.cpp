@@ -1,11 +1,13 @@
 #include "flownav/replay/replay.h"
 
 #include <algorithm>
+#include <iostream>
 #include <optional>
 #include <system_error>
 #include <variant>
 
 #include "flownav/cli/number_text.h"
+#include "flownav/cli/usage_error.h"
 #include "flownav/config/make_state.h"
 #include "flownav/evaluation/drive.h"
 #include "flownav/evaluation/profiler.h"
@@ -18,18 +20,13 @@ namespace flownav::replay {
 
 namespace {
 
-/// What was asked for makes no sense; what() says why.
-struct UsageError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
     for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
         text.replace(at, from.size(), to);
     }
 }
 
-/// Whether two paths lead to the same file, which need not exist yet.
+/// True when two paths lead to the same file, which may not exist yet.
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
     std::error_code error;
     if (std::filesystem::equivalent(a, b, error)) return true;
@@ -44,8 +41,8 @@ class Run {
                  clock_.timed(config::make_matcher(matching(options.config.pipeline)))) {
         timing_.threads = options.config.pipeline.threads;
         thumbnail_strip_ = report::ThumbnailStrip(several_threads());
-        const bool own = options.config.pipeline.flow.matcher == flow::MatcherKind::Sad;
-        timing_.kernel = own ? pipeline::kernel_name() : "opencv";
+        const std::string& matcher = options.config.pipeline.flow.matcher;
+        timing_.kernel = matcher == "sad" ? pipeline::kernel_name() : matcher;
         drive_.input_name = options.input.filename().string();
     }
 
@@ -61,7 +58,7 @@ class Run {
   private:
     bool several_threads() const { return options_.config.pipeline.threads > 1; }
 
-    /// Of several threads one decodes; the others match.
+    /// Parameters of the matcher: one of several threads decodes, the others match.
     static pipeline::Params matching(pipeline::Params params) {
         params.threads = std::max(1, params.threads - 1);
         return params;
@@ -69,26 +66,26 @@ class Run {
 
     void refuse_bad_paths() const {
         const std::string problem = io::problem_of_input(options_.input);
-        if (!problem.empty()) throw UsageError(problem);
+        if (!problem.empty()) throw cli::UsageError(problem);
         std::error_code error;
         const auto result = options_.output / "result.rawlog";
         if (std::filesystem::equivalent(options_.input, result, error)) {
-            throw UsageError(options_.input.string() +
-                             " would be overwritten by result.rawlog: choose another --output");
+            throw cli::UsageError(options_.input.string() +
+                                  " would be overwritten by result.rawlog: choose another --output");
         }
         refuse_overwriting("--flow-field", options_.optional.flow_field);
         refuse_overwriting("--video", options_.optional.video);
         const auto& [keep_images, video, flow_field] = options_.optional;
         if (!video.empty() && same_file(video, flow_field))
-            throw UsageError("--video and --flow-field name the same file, " + video.string());
+            throw cli::UsageError("--video and --flow-field name the same file, " + video.string());
     }
 
-    /// A file of its own must be neither the input nor one that the output folder holds anyway.
+    /// Throws UsageError when a requested file is the input or a file of the output folder.
     void refuse_overwriting(const std::string& option, const std::filesystem::path& file) const {
         if (file.empty()) return;
         const auto refuse = [&](const std::string& what) {
-            throw UsageError(option + ' ' + file.string() + ": would overwrite " + what +
-                             "; choose another file");
+            throw cli::UsageError(option + ' ' + file.string() + ": would overwrite " + what +
+                                  "; choose another file");
         };
         if (same_file(file, options_.input)) refuse("the input");
         for (const char* name : output_names())
@@ -104,10 +101,10 @@ class Run {
             drive_.end.kind = io::ReadEnd::Kind::Corrupt;
             drive_.end.message = error.what();
         }
-        // The results shall not depend on where the file lies.
+        // The results must not depend on the folder of the input.
         replace_all(drive_.end.message, options_.input.string(), drive_.input_name);
         if (!outputs_ && drive_.end.kind == io::ReadEnd::Kind::Clean) {
-            throw UsageError(
+            throw cli::UsageError(
                 io::why_no_field(drive_.read, options_.input.string(), options_.config.camera.camera_label));
         }
     }
@@ -116,7 +113,7 @@ class Run {
         io::FieldSource source(reader, options_.config.camera);
         std::optional<io::DecodeAhead> ahead;
         if (several_threads()) start(ahead, source, reader);
-        cli::Progress progress(stdout, options_.progress);
+        cli::Progress progress(std::cout, options_.progress);
         for (;;) {
             const io::Decoded decoded = ahead ? next([&] { return ahead->next(); })
                                               : next([&] { return io::decode_next(source, reader); });
@@ -134,19 +131,19 @@ class Run {
         try {
             ahead.emplace(source, reader);
         } catch (const std::system_error&) {
-            // No thread to be had: this one decodes as well.
+            // Without a second thread, this one decodes as well.
         }
     }
 
     template <typename Decode>
     io::Decoded next(const Decode& decode) {
-        clock_.enter(evaluation::Profiler::other);  // waiting for the other thread is nobody's work
+        clock_.enter(evaluation::Profiler::other);  // idle time is not attributed to a stage
         try {
             io::Decoded decoded = decode();
             clock_.credit(&evaluation::StageTimes::decode_s, decoded.decode_s);
             return decoded;
         } catch (const config::ConfigError& error) {
-            if (!outputs_) throw;  // nothing has been written yet
+            if (!outputs_) throw;  // no file has been written yet
             drive_.stop_reason = error.what();
             return {};
         }
@@ -178,7 +175,7 @@ class Run {
         }
     }
 
-    /// Not before there is a field that can be used, so that bad configuration writes nothing.
+    /// Opens the outputs at the first usable field, so that bad configuration writes no file.
     void open_outputs() {
         if (outputs_) return;
         clock_.enter(&evaluation::StageTimes::write_s);
@@ -204,9 +201,9 @@ class Run {
         outputs_->finish(drive_, thumbnail_strip_, options_.timing_in_report ? &timing_ : nullptr);
     }
 
-    ExitStatus status() const {
+    cli::ExitStatus status() const {
         const bool whole = drive_.end.kind == io::ReadEnd::Kind::Clean && drive_.stop_reason.empty();
-        return whole ? ExitStatus::Fine : ExitStatus::Input;
+        return whole ? cli::ExitStatus::Fine : cli::ExitStatus::Input;
     }
 
     void add_warnings() {
@@ -226,7 +223,7 @@ class Run {
     }
 
     std::string message() const {
-        if (status() == ExitStatus::Fine) return "";
+        if (status() == cli::ExitStatus::Fine) return "";
         return evaluation::end_sentence(drive_);
     }
 
@@ -254,12 +251,12 @@ class Run {
 ReplayResult replay(const ReplayOptions& options) {
     try {
         return Run(options).result();
-    } catch (const UsageError& error) {
-        return {ExitStatus::Usage, error.what(), {}, ""};
+    } catch (const cli::UsageError& error) {
+        return {cli::ExitStatus::Usage, error.what(), {}, ""};
     } catch (const config::ConfigError& error) {
-        return {ExitStatus::Usage, error.what(), {}, ""};
+        return {cli::ExitStatus::Usage, error.what(), {}, ""};
     } catch (const io::OutputError& error) {
-        return {ExitStatus::Output, error.what(), {}, ""};
+        return {cli::ExitStatus::Output, error.what(), {}, ""};
     }
 }
 

@@ -6,7 +6,9 @@
 #include <string>
 
 #include "flownav/cli/number_text.h"
+#include "flownav/math/units.h"
 #include "flownav/report/field_drawing.h"
+#include "flownav/report/palette.h"
 
 namespace flownav::report {
 
@@ -17,8 +19,6 @@ constexpr double widest_px = 1280.0;
 constexpr int line_height_px = 24;
 constexpr int margin_px = 10;
 constexpr double font_scale = 0.5;
-const cv::Scalar paper(255, 255, 255);
-const cv::Scalar ink(30, 30, 30);
 
 FieldScale picture_scale(const Field& field) {
     const double width = field.image.width_px;
@@ -35,7 +35,7 @@ int count_of(const pipeline::Step& step, BlockLabel label) {
 std::string state_text(const pipeline::Step& step) {
     std::string text = std::string("status ") + to_string(step.status);
     if (step.status == FieldStatus::Ok) {
-        text += "    turn " + cli::fixed_text(step.omega_radps * 180.0 / M_PI, 1) + " deg/s";
+        text += "    turn " + cli::fixed_text(deg(step.omega_radps), 1) + " deg/s";
     }
     if (step.status != FieldStatus::Waiting) {
         text += "    speed " + cli::fixed_text(step.v_mps, 2) + " m/s" +
@@ -48,21 +48,22 @@ std::string state_text(const pipeline::Step& step) {
 /// One line of text with an optional coloured mark before it; wraps at the right edge.
 class Caption {
   public:
-    explicit Caption(int width_px) : width_px_(width_px), band_(line_height_px, width_px, CV_8UC3, paper) {}
+    explicit Caption(int width_px)
+        : width_px_(width_px), band_(line_height_px, width_px, CV_8UC3, cv::Scalar(palette::paper)) {}
 
-    void add(const std::string& text, const cv::Scalar* mark = nullptr) {
+    void add(const std::string& text, const Colour* mark = nullptr) {
         const int mark_px = mark != nullptr ? 20 : 0;
         const int text_px = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, font_scale, 1, nullptr).width;
         if (x_ > margin_px && x_ + mark_px + text_px + margin_px > width_px_) new_line();
         const int baseline = band_.rows - 8;
         if (mark != nullptr) cv::rectangle(band_, {x_, baseline - 11, 14, 12}, *mark, cv::FILLED);
-        cv::putText(band_, text, {x_ + mark_px, baseline}, cv::FONT_HERSHEY_SIMPLEX, font_scale, ink, 1,
-                    cv::LINE_AA);
+        cv::putText(band_, text, {x_ + mark_px, baseline}, cv::FONT_HERSHEY_SIMPLEX, font_scale, palette::ink,
+                    1, cv::LINE_AA);
         x_ += mark_px + text_px + 22;
     }
 
     void new_line() {
-        cv::copyMakeBorder(band_, band_, 0, line_height_px, 0, 0, cv::BORDER_CONSTANT, paper);
+        cv::copyMakeBorder(band_, band_, 0, line_height_px, 0, 0, cv::BORDER_CONSTANT, palette::paper);
         x_ = margin_px;
     }
 

@@ -7,12 +7,12 @@ namespace flownav::report {
 const std::array<LabelStyle, 7>& label_styles() {
     static const std::array<LabelStyle, 7> all = {{
         {BlockLabel::Sifted, {150, 150, 150}, "ambiguous"},
-        {BlockLabel::Unjudged, {233, 180, 86}, "unjudged"},
-        {BlockLabel::Ground, {115, 158, 0}, "ground"},
-        {BlockLabel::Eliminated, {167, 121, 204}, "eliminated"},
-        {BlockLabel::Unsupported, {66, 228, 240}, "unsupported"},
-        {BlockLabel::Moving, {178, 114, 0}, "moving"},
-        {BlockLabel::Obstacle, {0, 94, 213}, "obstacle"},
+        {BlockLabel::Unjudged, palette::sky_blue, "unjudged"},
+        {BlockLabel::Ground, palette::green, "ground"},
+        {BlockLabel::Eliminated, palette::purple, "eliminated"},
+        {BlockLabel::Unsupported, palette::yellow, "unsupported"},
+        {BlockLabel::Moving, palette::blue, "moving"},
+        {BlockLabel::Obstacle, palette::vermilion, "obstacle"},
     }};
     return all;
 }

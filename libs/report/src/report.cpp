@@ -8,6 +8,7 @@
 #include "flownav/report/data_uri.h"
 #include "flownav/report/html.h"
 #include "flownav/report/label_style.h"
+#include "flownav/report/page.h"
 #include "flownav/report/page_assets.h"
 #include "report_data.h"
 #include "report_series.h"
@@ -49,14 +50,8 @@ std::string short_facts(const evaluation::Drive& drive) {
 }
 
 std::string beginning(const evaluation::Drive& drive) {
-    const std::string title = html::escaped("Replay of " + drive.input_name);
     std::string html =
-        "<!DOCTYPE html>\n<html lang='en'>\n<head>\n<meta charset='utf-8'>\n"
-        "<meta name='viewport' content='width=device-width, initial-scale=1'>\n"
-        "<link rel='icon' href='data:,'>\n<title>" +
-        title + "</title>\n<style>\n" + dygraphs_style + report_style + "</style>\n</head>\n<body>\n<h1>" +
-        title + "</h1>\n";
-    html += box(std::string(evaluation::end_word(drive)) == "clean", evaluation::end_sentence(drive));
+        box(std::string(evaluation::end_word(drive)) == "clean", evaluation::end_sentence(drive));
     for (const std::string& warning : drive.warnings) html += box(false, warning);
     for (const std::string& warning : drive.camera_check.warnings) html += box(false, warning);
     return html + short_facts(drive);
@@ -104,8 +99,9 @@ std::string labels_legend() {
     std::string rows;
     for (auto style = label_styles().rbegin(); style != label_styles().rend(); ++style) {
         html::Cell name(style->name);
-        name.mark = css_colour(*style);
-        rows += html::row({name, {"", true}, {meaning_of(style->label)}}, std::string("fate.") + style->name);
+        name.mark = style->colour.css();
+        rows +=
+            html::row({name, {"", true}, {meaning_of(style->label)}}, std::string("label.") + style->name);
     }
     return html::table({{"block"}, {"here", true}, {"meaning"}}, rows);
 }
@@ -147,22 +143,21 @@ std::string curves(const evaluation::Drive& drive) {
 std::string report_html(const evaluation::Drive& drive, const ThumbnailStrip& thumbnail_strip,
                         const mrpt::maps::COccupancyGridMap2D& map, const config::Config& config,
                         const evaluation::Timing* timing) {
-    std::string html = beginning(drive);
+    Page page;
+    page.title = "Replay of " + drive.input_name;
+    page.body = beginning(drive);
     if (!drive.rows.empty()) {
-        html +=
+        page.body +=
             "<noscript><p class='bad'>The charts need JavaScript, which is switched off here; pictures and "
             "tables show without.</p></noscript>\n<main>\n" +
             curves(drive) + panel(thumbnail_strip, drive.rows.front().timestamp_s) + "</main>\n";
+        page.data = report_data(drive, thumbnail_strip, map, timing);
+        page.script = report_script;
     }
-    html += report_tables(drive, config);
-    html += "<footer>flownav-replay " + html::escaped(version()) +
-            ". Every file and figure: share/doc/outputs.md of flownav.</footer>\n";
-    if (!drive.rows.empty()) {
-        html += "<script type='application/json' id='data'>" +
-                report_data(drive, thumbnail_strip, map, timing) + "</script>\n<script>" + dygraphs_script +
-                "</script>\n<script>" + report_script + "</script>\n";
-    }
-    return html + "</body>\n</html>\n";
+    page.body += report_tables(drive, config);
+    page.footer = std::string("flownav-replay ") + version() +
+                  ". Every file and figure: share/doc/outputs.md of flownav.";
+    return page_html(page);
 }
 
 }  // namespace flownav::report

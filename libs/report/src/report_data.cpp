@@ -6,7 +6,6 @@
 
 #include "flownav/evaluation/summary_facts.h"
 #include "flownav/report/data_uri.h"
-#include "flownav/report/html.h"
 #include "flownav/report/label_style.h"
 #include "flownav/report/map_picture.h"
 #include "report_series.h"
@@ -39,7 +38,7 @@ Json series_json(const ReportSeries& series, int decimals) {
     Json values = Json::array();
     for (const double value : series.values)
         values.push_back(value == ReportSeries::gap ? Json(false) : rounded(value, decimals));
-    return {{"name", series.name},      {"colour", series.colour},       {"dashed", series.dashed},
+    return {{"name", series.name},      {"colour", series.colour.css()}, {"dashed", series.dashed},
             {"width", series.width_px}, {"connected", series.connected}, {"values", std::move(values)}};
 }
 
@@ -83,7 +82,7 @@ Json tracks_json(const evaluation::Drive& drive) {
             heading.push_back(rounded(pose.yaw_rad, 4));
         }
         tracks.push_back({{"name", track.look.name},
-                          {"colour", track.look.colour},
+                          {"colour", track.look.colour.css()},
                           {"dashed", track.look.dashed},
                           {"width", track.look.width_px},
                           {"t", std::move(t)},
@@ -133,7 +132,7 @@ Json status_runs(const std::vector<evaluation::FieldRow>& rows) {
 Json status_json(const std::vector<evaluation::FieldRow>& rows) {
     Json kinds = Json::array();
     for (const FieldStatus status : all_field_statuses)
-        kinds.push_back({{"name", to_string(status)}, {"colour", colour_of(status)}});
+        kinds.push_back({{"name", to_string(status)}, {"colour", colour_of(status).css()}});
     return {{"kinds", std::move(kinds)}, {"runs", status_runs(rows)}};
 }
 
@@ -156,7 +155,7 @@ Json pictures_json(const ThumbnailStrip& thumbnail_strip, double start_s) {
         for (const LabelStyle& style : label_styles())
             labels.push_back(picture.labels.at(static_cast<std::size_t>(style.label)));
         pictures.push_back({{"t", rounded(picture.timestamp_s - start_s, 3)},
-                            {"fates", std::move(labels)},
+                            {"labels", std::move(labels)},
                             {"points", std::move(points)}});
     }
     return pictures;
@@ -174,7 +173,7 @@ std::string report_data(const evaluation::Drive& drive, const ThumbnailStrip& th
     data["map"] = map_json(drive, map);
     data["pictures"] = pictures_json(thumbnail_strip, drive.rows.front().timestamp_s);
     data["timing"] = timing == nullptr ? Json(nullptr) : evaluation::timing_facts(*timing);
-    return html::inside_script(data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    return data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace flownav::report

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "flownav/math/units.h"
 #include "flownav/report/label_style.h"
 
 namespace flownav::report {
@@ -13,14 +14,9 @@ namespace {
 
 using Value = std::function<std::optional<double>(const evaluation::FieldRow&)>;
 
-// The palette of Okabe and Ito.
-const ReportSeries flow_look = {"flow", "#0072b2", false, 2.0, false, {}};
-const ReportSeries odometry_look = {"odometry", "#d55e00", true, 1.8, false, {}};
-const ReportSeries truth_look = {"ground truth", "#b0b0b0", false, 5.0, false, {}};
-
-double to_deg(double angle_rad) {
-    return angle_rad * 180.0 / M_PI;
-}
+const ReportSeries flow_look = {"flow", palette::blue, false, 2.0, false, {}};
+const ReportSeries odometry_look = {"odometry", palette::vermilion, true, 1.8, false, {}};
+const ReportSeries truth_look = {"ground truth", Colour{176, 176, 176}, false, 5.0, false, {}};
 
 ReportSeries series_of(ReportSeries look, const evaluation::Drive& drive, const Value& value) {
     look.values.reserve(drive.rows.size());
@@ -72,9 +68,9 @@ ReportChart turn_chart(const evaluation::Drive& drive) {
     chart.least_span = 2.0;
     const auto measured = [](const evaluation::FieldRow& row) -> std::optional<double> {
         if (row.status != FieldStatus::Ok) return std::nullopt;
-        return to_deg(row.omega_radps);
+        return deg(row.omega_radps);
     };
-    const auto turn = [](const Pose2& motion) { return to_deg(wrap_angle(motion.yaw_rad)); };
+    const auto turn = [](const Pose2& motion) { return deg(wrap_angle(motion.yaw_rad)); };
     add_rates(chart, drive, turn, series_of(flow_look, drive, measured));
     return chart;
 }
@@ -106,7 +102,7 @@ ReportChart heading_chart(const evaluation::Drive& drive) {
         for (const Pose2& pose : track.poses) {
             const bool known = std::isfinite(pose.yaw_rad);
             if (known) unwrapped_rad += wrap_angle(pose.yaw_rad - unwrapped_rad);
-            track.look.values.push_back(known ? to_deg(unwrapped_rad) : ReportSeries::gap);
+            track.look.values.push_back(known ? deg(unwrapped_rad) : ReportSeries::gap);
         }
         chart.series.push_back(std::move(track.look));
     }
@@ -147,16 +143,16 @@ ReportChart chart_of_cycles(const evaluation::Drive& drive, std::vector<const ev
     return chart;
 }
 
-ReportChart fates_chart(const evaluation::Drive& drive) {
+ReportChart labels_chart(const evaluation::Drive& drive) {
     std::vector<const evaluation::FieldRow*> shown;
     ReportChart chart = chart_of_cycles(drive, shown);
-    chart.id = "fates";
-    chart.title = "Blocks by fate";
+    chart.id = "labels";
+    chart.title = "Blocks by label";
     chart.quantity = "blocks";
-    chart.note = "Stacked, at the end of each cycle: what the vectors of the cycle were found to be.";
+    chart.note = "Stacked, at the end of each cycle: how the vectors of the cycle were classified.";
     chart.stacked = true;
     for (const LabelStyle& style : label_styles()) {
-        ReportSeries series = {style.name, css_colour(style), false, 1.0, false, {}};
+        ReportSeries series = {style.name, style.colour, false, 1.0, false, {}};
         const auto label = static_cast<std::size_t>(style.label);
         for (const evaluation::FieldRow* row : shown)
             series.values.push_back(row->end_of_cycle ? row->labels.at(label) : ReportSeries::gap);
@@ -175,16 +171,16 @@ ReportChart counts_chart(const evaluation::Drive& drive) {
         "At the end of each cycle, and for every field without motion. Few confident blocks: little texture, "
         "darkness, or motion blur.";
     chart.least_span = 10.0;
-    const auto add = [&](const char* name, const char* colour, int evaluation::FieldRow::*member) {
+    const auto add = [&](const char* name, const Colour& colour, int evaluation::FieldRow::*member) {
         ReportSeries series = {name, colour, false, 1.8, false, {}};
         for (const evaluation::FieldRow* row : shown) series.values.push_back(row->*member);
         chart.series.push_back(std::move(series));
     };
-    add("placed", "#999999", &evaluation::FieldRow::placed);
-    add("confident", "#56b4e9", &evaluation::FieldRow::confident);
-    add("supporting the turn rate", "#009e73", &evaluation::FieldRow::inliers);
-    add("supporting the speed", "#cc79a7", &evaluation::FieldRow::ground_window);
-    add("obstacle points", "#d55e00", &evaluation::FieldRow::obstacles);
+    add("placed", palette::grey, &evaluation::FieldRow::placed);
+    add("confident", palette::sky_blue, &evaluation::FieldRow::confident);
+    add("supporting the turn rate", palette::green, &evaluation::FieldRow::inliers);
+    add("supporting the speed", palette::purple, &evaluation::FieldRow::ground_window);
+    add("obstacle points", palette::vermilion, &evaluation::FieldRow::obstacles);
     return chart;
 }
 
@@ -216,32 +212,9 @@ std::vector<ReportTrack> report_tracks(const evaluation::Drive& drive) {
 std::vector<ReportChart> report_charts(const evaluation::Drive& drive) {
     std::vector<ReportChart> charts = {turn_chart(drive), speed_chart(drive), heading_chart(drive)};
     if (!drive.ground_truth.empty()) charts.push_back(distance_chart(drive));
-    charts.push_back(fates_chart(drive));
+    charts.push_back(labels_chart(drive));
     charts.push_back(counts_chart(drive));
     return charts;
-}
-
-const char* colour_of(FieldStatus status) {
-    switch (status) {
-        case FieldStatus::Ok:
-            return "#009e73";
-        case FieldStatus::Waiting:
-            return "#bbbbbb";
-        case FieldStatus::NoTexture:
-            return "#f0e442";
-        case FieldStatus::Lost:
-            return "#d55e00";
-        case FieldStatus::BadField:
-            return "#000000";
-    }
-    return "none";
-}
-
-std::string css_colour(const LabelStyle& style) {
-    const auto part = [&style](int channel) {
-        return std::to_string(static_cast<int>(style.colour[channel]));
-    };
-    return "rgb(" + part(2) + "," + part(1) + "," + part(0) + ")";
 }
 
 }  // namespace flownav::report

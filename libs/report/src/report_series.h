@@ -1,5 +1,4 @@
 #pragma once
-#include <string>
 #include <vector>
 
 #include "flownav/evaluation/drive.h"
@@ -19,11 +18,5 @@ std::vector<ReportChart> report_charts(const evaluation::Drive& drive);
 
 /// Flow, odometry and truth, as far as there are any; one pose a field.
 std::vector<ReportTrack> report_tracks(const evaluation::Drive& drive);
-
-/// The colour of a status, as in CSS.
-const char* colour_of(FieldStatus status);
-
-/// The colour of a label, as in CSS.
-std::string css_colour(const LabelStyle& style);
 
 }  // namespace flownav::report

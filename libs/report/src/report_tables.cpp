@@ -95,7 +95,7 @@ std::string statuses(const std::vector<evaluation::FieldRow>& rows) {
     for (std::size_t i = 0; i < counts.size(); ++i) {
         const FieldStatus status = all_field_statuses.at(i);
         Cell name(to_string(status));
-        name.mark = colour_of(status);
+        name.mark = colour_of(status).css();
         const double share =
             rows.empty() ? 0.0 : 100.0 * static_cast<double>(counts[i]) / static_cast<double>(rows.size());
         lines +=

@@ -8,6 +8,7 @@
 
 #include "flownav/cli/number_text.h"
 #include "flownav/core/plane_geometry.h"
+#include "flownav/report/palette.h"
 
 namespace flownav::report {
 namespace {
@@ -21,8 +22,8 @@ constexpr double floor_deviations = 4.685;
 constexpr int picture_width_px = 640;
 constexpr int title_px = 34;
 constexpr double arrow_longest_px = 46.0;
-const cv::Scalar before_colour(0, 159, 230);  // orange and blue stay apart for colour-blind eyes
-const cv::Scalar after_colour(233, 180, 86);
+constexpr Colour before_colour = palette::orange;
+constexpr Colour after_colour = palette::sky_blue;
 
 using Cells = std::array<std::array<std::vector<double>, 2>, std::size_t{columns} * rows>;
 

@@ -27,7 +27,6 @@ using mrpt::opengl::CFBORender;
 
 constexpr float near_m = 0.03F;
 constexpr float far_m = 400.0F;
-constexpr double sky_grey = 215.0;
 constexpr int columns_step = 4;
 
 void check(const CameraSimParams& params) {
@@ -87,13 +86,8 @@ int readable_width(int width_px) {
 }  // namespace
 
 CameraModel image_camera(const CameraSimParams& params, int image) {
-    CameraModel camera = params.camera;
-    if (!params.interlaced) return camera;
-    const int first_row = image % 2;
-    camera.height_px = (camera.height_px + 1 - first_row) / 2;
-    camera.fy_px /= 2;
-    camera.cy_px = (camera.cy_px - first_row) / 2;
-    return camera;
+    if (!params.interlaced) return params.camera;
+    return field_camera(params.camera, image % 2 == 0 ? Parity::Top : Parity::Bottom);
 }
 
 struct CameraSimulator::Impl {
@@ -120,7 +114,7 @@ struct CameraSimulator::Impl {
         size.width = readable_width(size.width);
         meshes = std::make_shared<WorldScene>(world);
         scene.insert(meshes);
-        constexpr auto sky = static_cast<float>(sky_grey / 255.0);
+        const auto sky = static_cast<float>(world.sky_grey / 255.0);
         scene.getViewport()->setCustomBackgroundColor({sky, sky, sky});
         scene.getViewport()->setViewportClipDistances(near_m, far_m);
         CFBORender::Parameters parameters(static_cast<unsigned>(size.width),
@@ -133,7 +127,7 @@ struct CameraSimulator::Impl {
     Impl& operator=(const Impl&) = delete;
     ~Impl() { context.make_current(); }
 
-    /// What a pinhole sees, its lens and its supersampling undone.
+    /// Picture of `camera`: the pinhole picture, bent by the lens and averaged over the supersampling.
     cv::Mat1b render(const Lens& lens, const CameraModel& camera, const Isometry3d& T_world_camera,
                      double time_s) {
         context.make_current();
@@ -151,7 +145,7 @@ struct CameraSimulator::Impl {
         return picture;
     }
 
-    /// The mount as it shakes, which nobody but the image knows.
+    /// Pose of the camera with the image's vibration.
     Isometry3d shaken_pose(const CameraModel& camera, int image, const Pose2& T_world_robot) const {
         const Tilt tilt = tilt_of_image(params.effects, image);
         CameraMount mount = camera.mount;
@@ -163,6 +157,8 @@ struct CameraSimulator::Impl {
 
 CameraSimulator::CameraSimulator(const World& world, const CameraSimParams& params) {
     check(params);
+    if (world.waves.highest_m != 0.0)
+        throw std::invalid_argument("simulated camera: draws no waves of the floor");
     impl_ = std::make_unique<Impl>(world, params);
 }
 
@@ -185,7 +181,12 @@ Field CameraSimulator::take(int image, const Pose2& T_world_robot, double time_s
     return field;
 }
 
-cv::Mat CameraSimulator::depth_m(const Pose2& T_world_robot, double time_s) {
+cv::Mat1b CameraSimulator::render(const Pose2& T_world_robot, double time_s) {
+    const CameraModel camera = image_camera(impl_->params, 0);
+    return impl_->render(impl_->lenses[0], camera, camera_pose(camera.mount, T_world_robot), time_s);
+}
+
+cv::Mat1f CameraSimulator::depth_m(const Pose2& T_world_robot, double time_s) {
     const CameraModel camera = image_camera(impl_->params, 0);
     return exact_depth(impl_->world, camera, camera_pose(camera.mount, T_world_robot), time_s);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "flownav/core/plane_geometry.h"
 #include "flownav/sim/plan_view.h"
 
 namespace flownav::sim {
@@ -11,10 +12,6 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double lowest_m = 0.02;
-
-double cross(const Vector2d& a, const Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 /// True when two segments cross in a point inside both.
 bool cross_each_other(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d) {

@@ -89,7 +89,7 @@ cv::Mat3d rays_of(const CameraModel& camera) {
 cv::Rect reach(const CameraModel& camera, const Vector3d& centre_m, double radius_m) {
     const cv::Rect all(0, 0, camera.width_px, camera.height_px);
     if (centre_m.z() + radius_m <= 0.0) return {};
-    if (centre_m.z() - radius_m <= 0.05 || camera.distortion != std::array<double, 5>{}) return all;
+    if (centre_m.z() - radius_m <= 0.05 || !has_ideal_lens(camera)) return all;
     const auto range = [&](double at, double f, double c) {
         const double a = std::min((at - radius_m) / (centre_m.z() - radius_m),
                                   (at - radius_m) / (centre_m.z() + radius_m));

@@ -11,7 +11,8 @@ namespace flownav::sim {
 /// Pose of a camera on a robot that stands on the floor: axes x right, y down, z along the optical axis.
 Eigen::Isometry3d camera_pose(const CameraMount& mount, const Pose2& T_world_robot);
 
-/// Depth along the optical axis of every pixel (CV_32F, metres, 0: nothing there), from the exact shapes.
+/// Depth along the optical axis of every pixel (CV_32F, metres, 0 where a ray meets no surface), from the
+/// exact shapes.
 cv::Mat1f exact_depth(const World& world, const CameraModel& camera, const Eigen::Isometry3d& T_world_camera,
                       double time_s);
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <vector>
 
+#include "flownav/math/units.h"
 #include "generators.h"
 #include "world_builder.h"
 
@@ -30,7 +31,7 @@ Line draw_line(Random& random) {
     line.points_m.emplace_back(-before_start_m, 0.0);
     double heading_rad = 0.0;
     for (int i = 0; i < pieces; ++i) {
-        const double bend_rad = random.uniform(30.0, 75.0) * M_PI / 180.0;
+        const double bend_rad = random.uniform(30.0, 75.0) * degree_rad;
         if (i > 0) heading_rad += random.chance(0.5) ? bend_rad : -bend_rad;
         line.headings_rad.push_back(heading_rad);
         line.lengths_m.push_back(random.uniform(4.3, 5.6));

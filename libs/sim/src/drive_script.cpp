@@ -6,12 +6,11 @@
 #include <sstream>
 #include <vector>
 
+#include "flownav/math/units.h"
 #include "flownav/sim/vehicle.h"
 
 namespace flownav::sim {
 namespace {
-
-constexpr double degree = M_PI / 180.0;
 
 struct Step {
     std::string text;
@@ -97,14 +96,14 @@ class Driver {
             return;
         }
         if (step.word == "turn") {
-            omega_radps_ = value * degree;
+            omega_radps_ = value * degree_rad;
             if (omega_radps_ > robot_.omega_max_radps) {
                 refuse(step.text,
-                       "the robot's fastest is " + text(robot_.omega_max_radps / degree) + " deg/s");
+                       "the robot's fastest is " + text(robot_.omega_max_radps / degree_rad) + " deg/s");
             }
             return;
         }
-        const double angle_rad = (step.word == "left" ? value : -value) * degree;
+        const double angle_rad = (step.word == "left" ? value : -value) * degree_rad;
         if (step.numbers.size() == 2) return curve(step, std::abs(angle_rad) * step.numbers[1], angle_rad);
         turn(angle_rad);
     }

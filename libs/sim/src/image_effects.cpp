@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "flownav/math/units.h"
 #include "flownav/sim/random.h"
 
 namespace flownav::sim {
@@ -30,8 +31,8 @@ double level(const CameraEffects& effects, int step) {
 Tilt tilt_of_image(const CameraEffects& effects, int image) {
     Random random = stream(effects, 1, image);
     Tilt tilt;
-    tilt.pitch_rad = random.normal(effects.pitch_vibration_deg) * M_PI / 180.0;
-    tilt.roll_rad = random.normal(effects.roll_vibration_deg) * M_PI / 180.0;
+    tilt.pitch_rad = random.normal(effects.pitch_vibration_deg) * degree_rad;
+    tilt.roll_rad = random.normal(effects.roll_vibration_deg) * degree_rad;
     return tilt;
 }
 

@@ -52,7 +52,7 @@ Lens make_lens(const CameraModel& camera, int supersampling) {
                     camera.fy_px * s,
                     (camera.cx_px + 0.5) * s,
                     (camera.cy_px + 0.5) * s};
-    if (camera.distortion == std::array<double, 5>{}) return lens;
+    if (has_ideal_lens(camera)) return lens;
     fill_tables(lens, camera, supersampling);
     cv::Size& size = lens.pinhole.size_px;
     size.width = settle(lens.map_x, size.width, lens.pinhole.cx_px);

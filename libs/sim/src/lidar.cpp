@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "flownav/core/plane_geometry.h"
+#include "flownav/math/units.h"
 #include "flownav/sim/plan_view.h"
 
 namespace flownav::sim {
@@ -14,10 +16,6 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double never_m = std::numeric_limits<double>::infinity();
-
-double cross(const Vector2d& a, const Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 double range_m(const Disc& disc, const Vector2d& from, const Vector2d& direction) {
     const Vector2d to_centre = disc.centre_m - from;
@@ -104,7 +102,7 @@ class Beams {
 
 VirtualScan scan(const World& world, const LidarParams& params, const Pose2& T_world_robot, double time_s) {
     check(params);
-    const double view_rad = params.field_of_view_deg * M_PI / 180.0;
+    const double view_rad = params.field_of_view_deg * degree_rad;
     VirtualScan scan;
     // A full turn has no two beams in the same direction.
     const int gaps = params.field_of_view_deg < 360.0 ? params.beams - 1 : params.beams;

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "flownav/core/plane_geometry.h"
+
 namespace flownav::sim {
 namespace {
 
@@ -49,10 +51,6 @@ std::vector<Vector2d> around_circle(double radius_m) {
                              std::cos(M_PI / sides));
     }
     return corners;
-}
-
-double cross(const Vector2d& a, const Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
 }
 
 /// Convex hull, counter-clockwise (Andrew's monotone chain).

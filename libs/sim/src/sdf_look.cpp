@@ -10,12 +10,17 @@ namespace flownav::sim {
 namespace {
 
 constexpr std::string_view prefix = "flownav/";
-constexpr std::array<std::pair<Surface, std::string_view>, 6> surfaces = {{{Surface::Plain, "Plain"},
-                                                                           {Surface::Carpet, "Carpet"},
-                                                                           {Surface::Tiles, "Tiles"},
-                                                                           {Surface::Lino, "Lino"},
-                                                                           {Surface::Patterned, "Patterned"},
-                                                                           {Surface::Faint, "Faint"}}};
+constexpr std::array<std::pair<Surface, std::string_view>, 9> surfaces = {{
+    {Surface::Plain, "Plain"},
+    {Surface::Carpet, "Carpet"},
+    {Surface::Tiles, "Tiles"},
+    {Surface::Lino, "Lino"},
+    {Surface::Wall, "Wall"},
+    {Surface::Patterned, "Patterned"},
+    {Surface::Faint, "Faint"},
+    {Surface::Stoneware, "Stoneware"},
+    {Surface::Marbled, "Marbled"},
+}};
 
 }  // namespace
 
@@ -48,7 +53,7 @@ std::optional<Look> look_named(const std::string& name) {
     throw std::invalid_argument(
         "material \"" + name +
         "\" must be flownav/SURFACE GREY SEED with SURFACE = Plain, Carpet, Tiles, Lino, "
-        "Patterned or Faint, GREY = 0..255 and SEED a whole number >= 0");
+        "Wall, Patterned, Faint, Stoneware or Marbled, GREY = 0..255 and SEED a whole number >= 0");
 }
 
 Look default_look(const std::string& name_of_solid) {

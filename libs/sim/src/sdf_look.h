@@ -13,7 +13,7 @@ std::string name_of(const Look& look);
 /// on one that does and goes wrong.
 std::optional<Look> look_named(const std::string& name);
 
-/// For things whose material says nothing: rich texture of middle grey, each thing its own.
+/// Look of a solid without a flownav material: rich texture of middle grey, with a seed made of the name.
 Look default_look(const std::string& name_of_solid);
 
 /// The shortest decimal number that is read as the same double.

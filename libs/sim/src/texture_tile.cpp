@@ -30,11 +30,14 @@ std::vector<Band> bands_of(Surface surface) {
         case Surface::Carpet:
             return {{0.9, 0.1, 0.07}, {0.1, 0.006, 0.115}};
         case Surface::Tiles:
+        case Surface::Stoneware:
             return {{0.5, 0.1, 0.008}, {0.024, 0.006, 0.027}};
         case Surface::Lino:
+        case Surface::Marbled:
             return {{0.6, 0.06, 0.014}, {0.024, 0.008, 0.022}};
         case Surface::Patterned:
             return {{0.4, 0.006, 0.125}};
+        case Surface::Wall:
         case Surface::Faint:
             return {{0.3, 0.012, 0.022}};
     }
@@ -49,7 +52,7 @@ double amplitude(const Band& band, double per_m) {
     return std::exp(-std::pow(per_m / high, 4.0) - std::pow(low / per_m, 4.0)) / per_m;
 }
 
-/// Standard deviation 1, mean 0; periodic, as whatever has a discrete spectrum.
+/// Standard deviation 1, mean 0; periodic, since the spectrum is discrete.
 cv::Mat1f noise(const Band& band, const TileGrid& grid, Random& random) {
     const int n = grid.size_px;
     cv::Mat1f picture(n, n);
@@ -99,7 +102,7 @@ TextureTile texture_tile(const Look& look, const TileGrid& grid) {
     Random random(look.seed);
     cv::Mat1f shade(grid.size_px, grid.size_px, 1.0F);
     for (const Band& band : bands_of(look.surface)) shade += band.contrast * noise(band, grid, random);
-    if (look.surface == Surface::Tiles) lay_slabs(shade, grid, random);
+    if (look.surface == Surface::Tiles || look.surface == Surface::Stoneware) lay_slabs(shade, grid, random);
     TextureTile tile;
     tile.size_m = grid.size_px * grid.texel_m;
     shade.convertTo(tile.grey, CV_8U, look.grey);

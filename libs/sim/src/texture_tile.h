@@ -12,7 +12,7 @@ struct TextureTile {
     double size_m = 1.0;  ///< of an edge
 };
 
-/// Pixels of a tile: fine for things, large for the floor.
+/// Pixels of a tile: fine for solids, large for the floor.
 struct TileGrid {
     int size_px;
     double texel_m;

@@ -4,6 +4,28 @@
 
 namespace flownav::sim {
 
+const char* to_string(ThingKind kind) {
+    switch (kind) {
+        case ThingKind::Wall:
+            return "wall";
+        case ThingKind::Box:
+            return "box";
+        case ThingKind::LowBox:
+            return "low box";
+        case ThingKind::Pole:
+            return "pole";
+        case ThingKind::Drum:
+            return "drum";
+        case ThingKind::Chair:
+            return "chair";
+        case ThingKind::Rail:
+            return "rail";
+        case ThingKind::Mover:
+            return "mover";
+    }
+    return "";
+}
+
 Eigen::Isometry3d pose_at(const Solid& solid, double time_s) {
     const std::vector<TimedPose>& script = solid.script;
     if (script.empty()) return solid.T_world_solid;

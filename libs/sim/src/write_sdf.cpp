@@ -111,7 +111,7 @@ std::string floor(const Look& look) {
 
 std::string to_sdf(const World& world) {
     std::string text = "<?xml version=\"1.0\"?>\n<sdf version=\"1.9\">\n  <world name=\"" +
-                       escaped(world.name.empty() ? "world" : world.name) + "\">\n";
+                       escaped(world.name.empty() ? "unnamed" : world.name) + "\">\n";
     text += floor(world.floor) + frame("start", world.start);
     if (world.goal) text += frame("goal", {world.goal->x(), world.goal->y(), 0.0});
     for (const Solid& solid : world.solids) text += solid.script.empty() ? model(solid) : actor(solid);

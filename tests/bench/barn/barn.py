@@ -18,7 +18,7 @@ BASELINE = "| published: DWA, 2D lidar, 50 official worlds | 0.850 | 0.056 | 0.0
 
 
 def read_path(file):
-    """The points (i, j) of a path_N.npy, which holds whole numbers of 8 bytes."""
+    """Reads the points (i, j) of a path_N.npy with integers of 8 bytes."""
     data = file.read_bytes()
     length = struct.unpack("<H", data[8:10])[0]
     header = ast.literal_eval(data[10 : 10 + length].decode())
@@ -29,7 +29,7 @@ def read_path(file):
 
 
 def path_length(file):
-    """Metres from the start along the reference path to the goal."""
+    """Returns the length in metres from the start along the reference path to the goal."""
     path = [START] + [(0.15 * i - 4.575, 0.15 * j + 5.075) for i, j in read_path(file)] + [GOAL]
     return sum(math.dist(a, b) for a, b in zip(path, path[1:]))
 
@@ -39,7 +39,7 @@ def number(file):
 
 
 def find_worlds(folder, scratch):
-    """Every world by its number, and its reference path. Unpacks a worlds.tar.xz into `scratch`."""
+    """Returns every world by its number, with its reference path. Unpacks a worlds.tar.xz into `scratch`."""
     archive = folder if folder.is_file() else folder / "worlds.tar.xz"
     if archive.is_file():
         folder = scratch / "worlds"
@@ -58,7 +58,7 @@ def pick(worlds, arguments):
         if missing:
             sys.exit(f"barn.py: --only: no world {missing[0]}")
         return wanted
-    # Spread evenly over the worlds, which are in the order of their making.
+    # Selects worlds evenly; they are numbered in the order of their creation.
     names = list(worlds)
     count = min(arguments.count, len(names))
     return [names[i * len(names) // count] for i in range(count)]

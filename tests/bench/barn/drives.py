@@ -1,4 +1,5 @@
-"""Many drives of flownav-nav: in parallel, kept one by one, so that an interrupted benchmark goes on where it was."""
+"""Runs many drives of flownav-nav in parallel; results are kept one by one, so that an interrupted benchmark
+continues."""
 
 import argparse
 import json
@@ -12,7 +13,7 @@ OUTCOMES = ("reached", "blocked", "collision", "timeout")
 
 
 def parser(description):
-    """The arguments that every benchmark of drives has."""
+    """Returns a parser for the arguments common to all benchmarks of drives."""
     p = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     p.add_argument("--output", type=Path, required=True, metavar="DIR", help="runs, pictures and table")
     p.add_argument("--program", type=Path, default=ROOT / "build/release/apps/nav/flownav-nav", metavar="FILE")
@@ -24,7 +25,7 @@ def parser(description):
 
 
 def run(arguments, stem, options):
-    """One drive; its result is kept as runs/STEM.json, and its picture as pictures/STEM.png."""
+    """Runs one drive; keeps its result as runs/STEM.json and its picture as pictures/STEM.png."""
     result = arguments.output / "runs" / f"{stem}.json"
     if not result.is_file():
         part = result.with_suffix(".part")
@@ -39,7 +40,7 @@ def run(arguments, stem, options):
 
 
 def run_all(arguments, jobs):
-    """`jobs`: options by stem. Returns the results by stem, in the order of `jobs`."""
+    """Runs all jobs (options by stem); returns the results by stem, in the order of `jobs`."""
     for folder in ("runs", "pictures"):
         (arguments.output / folder).mkdir(parents=True, exist_ok=True)
     results = {}
@@ -54,7 +55,8 @@ def run_all(arguments, jobs):
 
 
 def table_row(name, runs, score=False):
-    """Shares, mean time of the drives that arrived, nearest clearance, and perhaps BARN's mean score."""
+    """Returns the shares of the outcomes, mean time of the drives that arrived, smallest clearance, and BARN's mean
+    score if any."""
     share = {word: sum(r["outcome"] == word for r in runs) / len(runs) for word in OUTCOMES}
     times = [r["time_s"] for r in runs if r["outcome"] == "reached"]
     mean_time = f"{statistics.mean(times):.1f}" if times else "-"

@@ -28,13 +28,13 @@ double true_excess_px(const Moment& m, const Vector2d& at_px, const Vector2d& fl
         .excess_px;
 }
 
-/// Whether a block and a little around it show nothing but the ground.
+/// True when a block and its surroundings show only ground.
 bool only_ground(const Moment& m, const Vector2d& at_px) {
-    const testing::View view = testing::true_view(m.drive.scene, m.reference);
+    const sim::View view = testing::true_view(m.drive.scene, m.reference);
     for (int dv = -10; dv <= 10; dv += 4) {
         for (int du = -10; du <= 10; du += 4) {
             const auto sight = testing::look(m.drive.scene.world, view, at_px + Vector2d(du, dv));
-            if (!sight || sight->primitive != testing::ground_primitive) return false;
+            if (!sight || sight->solid != sim::floor_index) return false;
         }
     }
     return true;
@@ -70,18 +70,18 @@ void BlockWatcher::see_block(const Moment& m, const pipeline::BlockRecord& block
     const bool obstacle = block.label == BlockLabel::Obstacle;
     const auto truth = testing::exact_flow(scene.world, testing::true_view(scene, m.reference),
                                            testing::true_view(scene, m.image), at_px);
-    if (!truth || truth->sight.primitive == testing::ground_primitive) {
+    if (!truth || truth->sight.solid == sim::floor_index) {
         if (obstacle && only_ground(m, at_px)) ++score_.false_blocks.hits;
         return;
     }
-    const auto& thing = scene.world.primitives[static_cast<std::size_t>(truth->sight.primitive)];
-    if (!truth->inside || truth->occluded || !thing.velocity_mps.isZero()) return;
+    const auto& thing = scene.world.solids[static_cast<std::size_t>(truth->sight.solid)];
+    if (!truth->inside || truth->occluded || !thing.script.empty()) return;
     if (true_excess_px(m, at_px, truth->flow_px) <= m.config.pipeline.obstacles.tau_px + sure_px) return;
     const Pose2& robot = scene.poses[static_cast<std::size_t>(m.image)];
     const double range_m = (truth->sight.point_m.head<2>() - Vector2d(robot.x_m, robot.y_m)).norm();
     score_.detected.add(obstacle);
     ++score_.labels[block.label];
-    if (thing.texture.surface == testing::Surface::Patterned) {
+    if (thing.look.surface == sim::Surface::Patterned) {
         score_.detected_textured.add(obstacle);
         ++score_.fates_textured[block.label];
     }

@@ -7,19 +7,19 @@
 
 namespace flownav::fidelity {
 
-/// One image of a drive after the chain has seen it.
+/// One image of a drive with the result of the chain.
 struct Moment {
     const RenderedScene& drive;
     const config::Config& config;
     const pipeline::Step& step;
     int image;      ///< index into drive.fields
-    int reference;  ///< the image that it was compared with; itself when it was compared with none
+    int reference;  ///< index of the image it was compared with; its own index when there was none
 };
 
 using Watcher = std::function<void(const Moment& moment)>;
 
-/// Runs the chain over a drive. The camera that it believes in is that of the fields with what
-/// config.camera sets.
+/// Runs the chain over a drive. The chain's camera is that of the fields, changed by the values set in
+/// config.camera.
 void run_chain(const RenderedScene& drive, const config::Config& config, const Watcher& watcher);
 
 }  // namespace flownav::fidelity

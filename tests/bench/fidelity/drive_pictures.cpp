@@ -7,12 +7,14 @@ namespace {
 
 using Eigen::Vector2d;
 using Line = std::vector<Vector2d>;
+namespace palette = report::palette;
 
 constexpr std::size_t most_points = 500;
 
-Line outline(const testing::Primitive& p) {
+Line outline(const sim::Solid& solid) {
+    const testing::Upright p = testing::upright_of(solid);
     Line line;
-    if (p.shape == testing::Shape::Cylinder) {
+    if (p.shape == testing::UprightShape::Cylinder) {
         constexpr int corners = 8;
         for (int k = 0; k <= corners; ++k) {
             const double angle = 2.0 * M_PI * k / corners;
@@ -34,9 +36,9 @@ Line every_fourth(const Line& path) {
     return thin;
 }
 
-ChartSeries things(const testing::World& world) {
-    ChartSeries series{"things", "#999999", {}, false, 1.0};
-    for (const testing::Primitive& p : world.primitives) series.pieces.push_back(outline(p));
+ChartSeries things(const sim::World& world) {
+    ChartSeries series{"things", palette::grey, {}, false, 1.0};
+    for (const sim::Solid& p : world.solids) series.pieces.push_back(outline(p));
     return series;
 }
 
@@ -54,19 +56,20 @@ Chart plan(const std::string& title) {
 std::string paths_picture(const DriveRecord& drive) {
     Chart chart = plan("Once around a railing and a chair");
     chart.series = {things(drive.world),
-                    {"truth", "#222222", {every_fourth(drive.truth_m)}, false, 3.0},
-                    {"wheel odometry", "#d95f02", {every_fourth(drive.odometry_m)}, true, 1.5},
-                    {"flow odometry", "#1b9e77", {every_fourth(drive.flow_m)}, false, 1.5}};
+                    {"truth", palette::ink, {every_fourth(drive.truth_m)}, false, 3.0},
+                    {"wheel odometry", palette::vermilion, {every_fourth(drive.odometry_m)}, true, 1.5},
+                    {"flow odometry", palette::blue, {every_fourth(drive.flow_m)}, false, 1.5}};
     return svg_file(chart);
 }
 
 std::string points_picture(const DriveRecord& drive) {
     Chart chart = plan("Obstacle points of the drive");
-    ChartSeries dots{"points", "#7570b3", {}, false, 1.0};
+    ChartSeries dots{"points", palette::purple, {}, false, 1.0};
     const std::size_t step = drive.points.size() / most_points + 1;
     for (std::size_t i = 0; i < drive.points.size(); i += step)
         dots.pieces.push_back({drive.points[i].in_world_m});
-    chart.series = {things(drive.world), dots, {"path", "#222222", {every_fourth(drive.truth_m)}, true, 1.0}};
+    chart.series = {
+        things(drive.world), dots, {"path", palette::ink, {every_fourth(drive.truth_m)}, true, 1.0}};
     return svg_file(chart);
 }
 

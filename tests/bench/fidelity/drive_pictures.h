@@ -6,21 +6,21 @@
 
 namespace flownav::fidelity {
 
-/// An obstacle point of a drive and how far it is from the nearest surface.
+/// An obstacle point of a drive and its distance to the nearest surface.
 struct JudgedPoint {
     Eigen::Vector2d in_robot_m;  ///< forward, left
     Eigen::Vector2d in_world_m;  ///< by the true pose
     double off_m = 0.0;
 };
 
-/// All that is drawn of a drive.
+/// Data for the pictures of a drive.
 struct DriveRecord {
-    testing::World world;
+    sim::World world;
     std::vector<Eigen::Vector2d> truth_m, flow_m, odometry_m;  ///< paths
     std::vector<JudgedPoint> points;
 };
 
-// Pictures as whole SVG files.
+// Each returns a complete SVG file.
 
 std::string paths_picture(const DriveRecord& drive);
 std::string points_picture(const DriveRecord& drive);

@@ -1,5 +1,6 @@
 #include "ego_score.h"
 
+#include "flownav/math/units.h"
 #include "flownav/testing/truth.h"
 
 namespace flownav::fidelity {
@@ -8,28 +9,27 @@ namespace {
 constexpr double slowest_compared_mps = 0.05;
 constexpr double covered_from = 0.5;
 
-/// Motion of the robot and of the camera's pitch from the image before.
+/// Motion of the robot and of the camera's pitch since the previous image.
 EgoMotion true_motion(const Moment& m) {
     return testing::exact_motion(testing::true_view(m.drive.scene, m.image - 1),
                                  testing::true_view(m.drive.scene, m.image));
 }
 
-bool has_mover(const testing::World& world) {
-    return !world.primitives.empty() && world.primitives.back().kind == testing::ThingKind::Mover;
+bool has_mover(const sim::World& world) {
+    return !world.solids.empty() && world.solids.back().kind == sim::ThingKind::Mover;
 }
 
 }  // namespace
 
 double covered_by_movers(const Moment& m) {
-    const testing::World& world = m.drive.scene.world;
+    const sim::World& world = m.drive.scene.world;
     if (!has_mover(world)) return 0.0;
-    const testing::View view = testing::true_view(m.drive.scene, m.reference);
+    const sim::View view = testing::true_view(m.drive.scene, m.reference);
     Share moving;
     for (const pipeline::BlockRecord& block : m.step.blocks) {
         const auto sight = testing::look(world, view, block.vector.at_px);
-        moving.add(sight && sight->primitive >= 0 &&
-                   world.primitives[static_cast<std::size_t>(sight->primitive)].kind ==
-                       testing::ThingKind::Mover);
+        moving.add(sight && sight->solid >= 0 &&
+                   world.solids[static_cast<std::size_t>(sight->solid)].kind == sim::ThingKind::Mover);
     }
     return moving.all > 0 ? moving.rate() : 0.0;
 }
@@ -69,9 +69,9 @@ void EgoWatcher::see(const Moment& m) {
 void EgoWatcher::see_omega(const Moment& m) {
     const double rate_hz = m.drive.scene.options.rate_hz;
     const EgoMotion truth = true_motion(m);
-    const double error_degps = to_deg(m.step.omega_radps - truth.omega_rad * rate_hz);
+    const double error_degps = deg(m.step.omega_radps - truth.omega_rad * rate_hz);
     score_.omega_degps.add(error_degps);
-    score_.pitch_degps.add(to_deg(m.step.pitch_rate_radps - truth.pitch_rad * rate_hz));
+    score_.pitch_degps.add(deg(m.step.pitch_rate_radps - truth.pitch_rad * rate_hz));
     if (covered_ >= covered_from) score_.covered_degps.add(error_degps);
     cycle_.add(error_degps);
 }
@@ -92,7 +92,7 @@ EgoScore EgoWatcher::result() const {
     EgoScore score = score_;
     const Pose2 flow = compose(inverse(first_flow_), last_flow_);
     const Pose2 truth = compose(inverse(first_truth_), last_truth_);
-    score.heading_deg.add(to_deg(wrap_angle(flow.yaw_rad - truth.yaw_rad)));
+    score.heading_deg.add(deg(wrap_angle(flow.yaw_rad - truth.yaw_rad)));
     if (score.path_m > 0.0)
         score.end_percent.add(100.0 * std::hypot(flow.x_m - truth.x_m, flow.y_m - truth.y_m) / score.path_m);
     return score;

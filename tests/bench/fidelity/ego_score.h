@@ -4,7 +4,7 @@
 
 namespace flownav::fidelity {
 
-constexpr int settling_images = 10;  ///< images 0 to 10 are not judged
+constexpr int settling_images = 10;  ///< the first images are not evaluated
 
 /// Ego-motion and odometry against the truth, over one or several drives.
 struct EgoScore {
@@ -14,10 +14,10 @@ struct EgoScore {
     Moments pitch_degps;      ///< error of the pitch rate per image
     Moments v_percent;        ///< error of the speed where a cycle measured it
     Share v_measured;         ///< finished cycles that measured the speed
-    Moments end_percent;      ///< distance of the ends, one per drive, % of the path
-    Moments heading_deg;      ///< difference of the end headings, one per drive
-    Moments covered_degps;    ///< error of omega while a mover covers at least half of the blocks
-    double covered_most = 0;  ///< largest share of the blocks that it covers
+    Moments end_percent;      ///< distance between the ends of the tracks, one per drive, % of the path
+    Moments heading_deg;      ///< difference of the final headings, one per drive
+    Moments covered_degps;    ///< error of omega while a moving object covers at least half of the blocks
+    double covered_most = 0;  ///< largest share of the blocks covered by a moving object
     double path_m = 0.0;
 
     void add(const EgoScore& other);
@@ -39,7 +39,7 @@ class EgoWatcher {
     Pose2 first_flow_, first_truth_, last_flow_, last_truth_;
 };
 
-/// Share of the blocks that look at something that moves.
+/// Share of the blocks that show a moving object.
 double covered_by_movers(const Moment& moment);
 
 }  // namespace flownav::fidelity

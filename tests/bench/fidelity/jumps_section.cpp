@@ -1,5 +1,6 @@
+#include "flownav/math/units.h"
+#include "flownav/sim/random.h"
 #include "flownav/testing/effects.h"
-#include "flownav/testing/random.h"
 #include "flownav/testing/render.h"
 #include "markdown.h"
 #include "sections.h"
@@ -11,7 +12,7 @@ constexpr int trials = 100;
 constexpr double right_degps = 1.0;
 constexpr int longest_cycle = 16;
 
-/// A drive of `primed` images, and one more after another motion.
+/// A stretch of `primed` images of a drive, followed by one image with another motion.
 struct Trial {
     int first = 0;
     int primed = 1;
@@ -19,27 +20,28 @@ struct Trial {
     double v_mps = 0.0;
 };
 
-double either_sign(testing::Random& random, double least, double most) {
+double either_sign(sim::HashRandom& random, double least, double most) {
     const double size = random.uniform(least, most);
     return random.uniform(0.0, 1.0) < 0.5 ? -size : size;
 }
 
-/// In the middle of a drive the turn rate jumps by 20 to 60 deg/s, and in every second trial the speed too.
+/// Trial in which the turn rate jumps by 20 to 60 deg/s in the middle of a drive; every second trial changes
+/// the speed too.
 Trial jump_trial(const testing::Scene& scene, int k) {
-    testing::Random random(testing::mix(scene.options.seed, 1000U + static_cast<std::uint64_t>(k)));
+    sim::HashRandom random(sim::mix(scene.options.seed, 1000U + static_cast<std::uint64_t>(k)));
     Trial trial;
     trial.primed = 8 + static_cast<int>(random.uniform(0.0, 5.0));
     trial.first = static_cast<int>(random.uniform(0.0, scene.images() - trial.primed - longest_cycle));
     const auto last = static_cast<std::size_t>(trial.first + trial.primed - 1);
     const EgoMotion before = testing::exact_motion(scene.poses[last - 1], scene.poses[last]);
-    trial.omega_degps = to_deg(before.omega_rad) * scene.options.rate_hz + either_sign(random, 20.0, 60.0);
+    trial.omega_degps = deg(before.omega_rad) * scene.options.rate_hz + either_sign(random, 20.0, 60.0);
     trial.v_mps = k % 2 == 0 ? scene.options.speed_mps : random.uniform(0.1, 0.8);
     return trial;
 }
 
-/// Two images and no knowledge: up to 60 deg/s and 0.8 m/s.
+/// Trial with two images and no prior knowledge: up to 60 deg/s and 0.8 m/s.
 Trial cold_trial(const testing::Scene& scene, int k) {
-    testing::Random random(testing::mix(scene.options.seed, 5000U + static_cast<std::uint64_t>(k)));
+    sim::HashRandom random(sim::mix(scene.options.seed, 5000U + static_cast<std::uint64_t>(k)));
     Trial trial;
     trial.first = static_cast<int>(random.uniform(0.0, scene.images()));
     trial.omega_degps = random.uniform(-60.0, 60.0);
@@ -47,7 +49,7 @@ Trial cold_trial(const testing::Scene& scene, int k) {
     return trial;
 }
 
-/// The same after as many more images as the running cycle needs to end.
+/// Extends `primed` to the end of the running cycle.
 Trial to_end_of_cycle(const RenderedScene& drive, Trial trial) {
     pipeline::State state{pipeline::Params{}};
     for (int i = trial.first; i < trial.first + trial.primed + longest_cycle; ++i) {
@@ -63,10 +65,10 @@ bool right_at_once(const RenderedScene& drive, const Trial& trial, int k) {
     const testing::Scene& scene = drive.scene;
     const int last = trial.first + trial.primed - 1;
     const double image_s = 1.0 / scene.options.rate_hz;
-    testing::View view = testing::nominal_view(scene, last);
+    sim::View view = testing::nominal_view(scene, last);
     view.time_s += image_s;
-    view.T_world_robot = compose(
-        view.T_world_robot, along_arc(trial.omega_degps * M_PI / 180.0 * image_s, trial.v_mps * image_s));
+    view.T_world_robot = compose(view.T_world_robot,
+                                 along_arc(trial.omega_degps * degree_rad * image_s, trial.v_mps * image_s));
     const testing::GreyImage image = testing::render(
         scene.world, view, testing::effects_of_image(scene.options.effects, 10 * scene.images() + k));
     pipeline::State state{pipeline::Params{}};
@@ -75,7 +77,7 @@ bool right_at_once(const RenderedScene& drive, const Trial& trial, int k) {
     const pipeline::Step& step =
         pipeline::step(state, {testing::scene_start_s + view.time_s, image.view(), view.camera, nullptr});
     return step.status == FieldStatus::Ok &&
-           std::abs(to_deg(step.omega_radps) - trial.omega_degps) < right_degps;
+           std::abs(deg(step.omega_radps) - trial.omega_degps) < right_degps;
 }
 
 Share share_right(const RenderedScene& drive, const std::function<Trial(int)>& trial) {

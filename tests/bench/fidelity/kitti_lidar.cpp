@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// The `count` numbers behind "KEY:" in a file of KITTI's.
+/// Reads the `count` numbers after "KEY:" from a KITTI file.
 std::vector<double> numbers_of(const fs::path& file, const std::string& key, std::size_t count) {
     std::ifstream in(file);
     for (std::string line; std::getline(in, line);) {
@@ -31,7 +31,7 @@ Matrix3d matrix_of(const std::vector<double>& numbers) {
     return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers.data());
 }
 
-/// From the lidar to the rectified camera 02.
+/// Transform from the lidar to the rectified camera 02.
 Eigen::Isometry3d camera_from_lidar(const fs::path& date_folder) {
     const fs::path lidar = date_folder / "calib_velo_to_cam.txt";
     const fs::path cameras = date_folder / "calib_cam_to_cam.txt";

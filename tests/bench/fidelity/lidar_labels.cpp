@@ -12,14 +12,14 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double looks_px = 6.0;  // returns this near to the middle of a block belong to it
+constexpr double looks_px = 6.0;  // returns within this distance of the centre of a block belong to it
 constexpr std::size_t returns_min = 3;
 constexpr double road_m = 0.1;
-constexpr double surely_px = 0.5;  // beyond tau
+constexpr double surely_px = 0.5;  // margin beyond tau
 
 struct Seen {
     Looks looks = Looks::Elsewhere;
-    Vector3d at_m = Vector3d::Zero();  ///< the return in the middle of the depths
+    Vector3d at_m = Vector3d::Zero();  ///< the return with the median depth
 };
 
 Seen seen_by(const Vector2d& centre_px, const std::vector<std::pair<Vector2d, Vector3d>>& returns) {
@@ -37,7 +37,7 @@ Seen seen_by(const Vector2d& centre_px, const std::vector<std::pair<Vector2d, Ve
     return {};
 }
 
-/// Flow of something that stands still there, pixels.
+/// Flow of a static point at `at_m`, pixels.
 Vector2d still_flow_px(const RayMapper& mapper, const Vector3d& at_m, const EgoMotion& motion) {
     const Pose2 T_reference_now = along_arc(motion.omega_rad, motion.forward_m);
     Vector3d now_m = at_m;
@@ -45,7 +45,7 @@ Vector2d still_flow_px(const RayMapper& mapper, const Vector3d& at_m, const EgoM
     return project(mapper, now_m) - project(mapper, at_m);
 }
 
-/// How much farther than the ground behind it that moves along e, pixels: the left side of (13).
+/// Excess of the flow along e over the flow of the ground behind it, pixels: the left side of (13).
 double excess_px(const RayMapper& mapper, const Vector2d& centre_px, const Vector3d& at_m,
                  const EgoMotion& motion) {
     const CameraModel& camera = mapper.camera();

@@ -37,7 +37,7 @@ struct Extent {
     int left = 0, right = 0, low = 0, high = 0;
 };
 
-/// All cells as one path of squares, forward up.
+/// Draws all cells as one path of squares, forward up.
 std::string path_of(const std::map<std::pair<int, int>, int>& cells, const Extent& extent, const char* fill) {
     const int edge = static_cast<int>(std::lround(cell_m * px_per_m));
     std::ostringstream out;

@@ -9,24 +9,25 @@
 
 namespace flownav::fidelity {
 
-/// A plan of a whole drive in the frame of its flow odometry: where the sensor saw obstacles, and where the
-/// lidar confirms them.
+/// A plan of a drive in the frame of its flow odometry: obstacles of the sensor, and their confirmation by
+/// the lidar.
 class LidarPlan {
   public:
     void add(const pipeline::Step& step, const LidarView& view);
 
-    /// Throws std::runtime_error naming a file that cannot be written.
+    /// Writes the plan. Throws std::runtime_error naming a file that cannot be written.
     void write(const std::filesystem::path& svg) const;
 
   private:
     using Cell = std::pair<int, int>;
 
-    std::map<Cell, int> right_, wrong_;  ///< points in a cell
+    std::map<Cell, int> right_, wrong_;  ///< number of points in a cell
     std::vector<Eigen::Vector2d> path_m_;
 };
 
-/// A camera image with the lidar's obstacles (small) and the points of the sensor (circles; squares move), in
-/// colours of their range; points that lidar does not confirm are crossed. FOLDER/NNNN.png.
+/// Writes FOLDER/NNNN.png: a camera image with the lidar's obstacles (small) and the points of the sensor
+/// (circles; squares for moving ones), coloured by range; points without confirmation by the lidar are
+/// crossed.
 void write_overlay(const std::filesystem::path& folder, int number, const Field& field,
                    const RayMapper& mapper, const pipeline::Step& step,
                    const std::vector<Eigen::Vector3d>& scan_m, const LidarView& view);

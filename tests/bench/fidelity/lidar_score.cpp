@@ -17,7 +17,7 @@ std::size_t band_of(double range_m) {
     return band;
 }
 
-/// Sets of cells that touch each other.
+/// Groups cells that touch each other.
 std::vector<std::vector<Vector2d>> things_of(std::vector<Vector2d> cells_m) {
     std::vector<std::vector<Vector2d>> things;
     while (!cells_m.empty()) {

@@ -12,65 +12,66 @@
 
 namespace flownav::fidelity {
 
-constexpr double obstacle_low_m = 0.3;   ///< above the road
-constexpr double obstacle_high_m = 2.0;  ///< what is higher need not be found
+constexpr double obstacle_low_m = 0.3;   ///< height above the road
+constexpr double obstacle_high_m = 2.0;  ///< higher returns need not be found
 constexpr double lidar_cell_m = 0.5;
 constexpr double lately_s = 1.0;
 constexpr std::array<double, 3> lidar_range_ends_m = {10.0, 15.0, 25.0};
 
-/// A point or a cell is at the right place when it is no farther off than this.
+/// Largest distance at which a point or a cell counts as confirmed.
 inline double tolerance_m(double range_m) {
     return 0.5 + 0.05 * range_m;
 }
 
-/// What a block looks at, by the lidar.
+/// Content of a block according to the lidar.
 enum class Looks { AtRoad, AtObstacle, Elsewhere };
 
-/// What became of blocks that look at one kind of thing.
+/// Labels of the blocks with one kind of content.
 struct Labels {
     std::map<BlockLabel, int> all;
-    std::map<BlockLabel, int> telling;  ///< of those whose true value of (13) exceeds tau by half a pixel
-    std::map<BlockLabel, int> beyond;   ///< of those whose true flow lies outside the search window
+    std::map<BlockLabel, int> telling;  ///< of blocks whose true value of (13) exceeds tau by half a pixel
+    std::map<BlockLabel, int> beyond;   ///< of blocks whose true flow lies outside the search window
 };
 
-/// Obstacle points against a lidar, over the cycles of a drive that moved the car.
+/// Obstacle points against a lidar, over the cycles in which the car moved.
 struct LidarScore {
-    Share points_near;   ///< points with a return above obstacle_low_m near them
-    Share control_near;  ///< the same points moved half as far again: what chance would confirm
-    Share moving_near;   ///< those of them that are said to move
+    Share points_near;  ///< points with a return above obstacle_low_m near them
+    /// Control: points_near for the points moved half as far again, which counts random matches.
+    Share control_near;
+    Share moving_near;  ///< points labelled as moving with a return above obstacle_low_m near them
     std::array<Share, lidar_range_ends_m.size()> near_by_range, found_by_range;
     Share cells_found;   ///< cells with obstacles in the covered area that have a point near them
-    Share cells_lately;  ///< the same, with the points of the last second
-    Share things_found;  ///< connected cells, 4 at least, with a point near one of them
+    Share cells_lately;  ///< cells_found with the points of the last second
+    Share things_found;  ///< groups of at least 4 connected cells with a point near one of them
     Share things_lately;
     std::map<Looks, Labels> labels;
     int cycles = 0;
 };
 
-/// What the lidar sees of obstacles at one moment, in the robot frame.
+/// Obstacles seen by the lidar at one moment, in the robot frame.
 struct LidarView {
     std::vector<Eigen::Vector2d> high_m;   ///< all returns above obstacle_low_m
-    std::vector<Eigen::Vector2d> cells_m;  ///< cells of obstacles in the covered area, their middles
+    std::vector<Eigen::Vector2d> cells_m;  ///< centres of cells with obstacles in the covered area
 };
 
-/// `layout`: what it covers is the area that is looked at.
+/// Converts a scan; the blocks of `layout` define the covered area.
 LidarView lidar_view(const std::vector<Eigen::Vector3d>& scan_m, const RayMapper& mapper,
                      const flow::BlockLayout& layout, double range_max_m);
 
-/// Distance to the nearest of some places; infinite when there is none.
+/// Distance to the nearest of `places_m`; infinite without places.
 double nearest_m(const std::vector<Eigen::Vector2d>& places_m, const Eigen::Vector2d& at_m);
 
-/// Enters the cycles of a drive, one after the other.
+/// Evaluates the cycles of a drive, one after the other.
 class LidarJudge {
   public:
     LidarJudge(const CameraModel& camera, const config::Config& config);
 
-    /// `step` ended a cycle; the scans belong to its last field and to its reference.
+    /// `step` must end a cycle; the scans are those of its last field and its reference.
     void see(const pipeline::Step& step, const std::vector<Eigen::Vector3d>& scan_m,
              const std::vector<Eigen::Vector3d>& reference_scan_m);
 
     const LidarScore& result() const { return score_; }
-    const LidarView& view() const { return view_; }  ///< of the last cycle
+    const LidarView& view() const { return view_; }  ///< view of the last cycle
     const RayMapper& mapper() const { return mapper_; }
 
   private:

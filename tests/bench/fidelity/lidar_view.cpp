@@ -11,9 +11,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int returns_min = 3;  // in a cell
+constexpr int returns_min = 3;  // minimum number of returns in a cell
 
-/// True for pixels that a block can look at.
+/// True for the pixels that lie in a block.
 class Cover {
   public:
     Cover(const flow::BlockLayout& layout, const CameraModel& camera)

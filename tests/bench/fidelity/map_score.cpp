@@ -38,23 +38,23 @@ void MapWatcher::see(const Moment& m) {
     if (!m.step.end_of_cycle) return;
     map_.insert({m.step.timestamp_s, m.step.T_start_robot, m.step.obstacles, m.step.ground});
     const testing::Scene& scene = m.drive.scene;
-    const testing::View view = testing::true_view(scene, m.reference);
+    const sim::View view = testing::true_view(scene, m.reference);
     for (const pipeline::BlockRecord& block : m.step.blocks) {
         const auto sight = testing::look(scene.world, view, block.vector.at_px);
-        if (!sight || sight->primitive == testing::ground_primitive || sight->depth_m > seen_to_m) continue;
-        const auto& thing = scene.world.primitives[static_cast<std::size_t>(sight->primitive)];
-        if (!thing.velocity_mps.isZero()) continue;
+        if (!sight || sight->solid == sim::floor_index || sight->depth_m > seen_to_m) continue;
+        const auto& thing = scene.world.solids[static_cast<std::size_t>(sight->solid)];
+        if (!thing.script.empty()) continue;
         seen_.insert({cell_of(sight->point_m.x()), cell_of(sight->point_m.y())});
     }
 }
 
-MapScore MapWatcher::result(const testing::World& world) const {
+MapScore MapWatcher::result(const sim::World& world) const {
     MapScore score;
     const std::vector<Vector2d> occupied = occupied_cells(map_.grid());
     for (const Vector2d& at_m : occupied) {
-        score.precise.add(std::any_of(
-            world.primitives.begin(), world.primitives.end(),
-            [&](const testing::Primitive& p) { return testing::distance_m(p, at_m) < precise_m; }));
+        score.precise.add(std::any_of(world.solids.begin(), world.solids.end(), [&](const sim::Solid& p) {
+            return testing::distance_m(p, at_m) < precise_m;
+        }));
     }
     for (const auto& [x, y] : seen_) {
         const Vector2d at_m((x + 0.5) * surface_cell_m, (y + 0.5) * surface_cell_m);

@@ -8,10 +8,10 @@
 
 namespace flownav::fidelity {
 
-/// The fused map of a whole drive in the frame of its flow odometry, over one or several drives.
+/// The fused map of a drive in the frame of its flow odometry, over one or several drives.
 struct MapScore {
     Share precise;  ///< occupied cells within 0.2 m of a surface
-    Share found;    ///< surface seen nearer than 4 m (cells of 0.1 m) with an occupied cell within 0.15 m
+    Share found;    ///< surface seen within 4 m (cells of 0.1 m) with an occupied cell within 0.15 m
 
     void add(const MapScore& other);
 };
@@ -21,11 +21,11 @@ class MapWatcher {
     explicit MapWatcher(const mapping::MapParams& params) : map_(params) {}
 
     void see(const Moment& moment);
-    MapScore result(const testing::World& world) const;
+    MapScore result(const sim::World& world) const;
 
   private:
     mapping::GlobalMap map_;
-    std::set<std::pair<int, int>> seen_;  ///< cells that hold a surface that was in view
+    std::set<std::pair<int, int>> seen_;  ///< cells with a surface that was in view
 };
 
 }  // namespace flownav::fidelity

@@ -13,7 +13,7 @@ std::string line_of(const std::vector<std::string>& cells) {
     return line + '\n';
 }
 
-/// A limit without trailing zeros.
+/// Text of a limit without trailing zeros.
 std::string limit_text(double limit) {
     std::string text = cli::fixed_text(limit, 3);
     while (text.back() == '0') text.pop_back();

@@ -13,7 +13,7 @@ struct Table {
 
 std::string to_markdown(const Table& table);
 
-/// What a figure should be: at most `limit` in magnitude, or at least.
+/// Target of a figure: its magnitude is at most `limit`, or at least `limit`.
 struct Target {
     double limit = 0.0;
     bool at_least = false;
@@ -26,7 +26,7 @@ inline Target above(double limit) {
     return {limit, true};
 }
 
-/// A figure beside its target: "0.012 < 0.025", or in bold with the relation that holds when it is missed.
+/// Text of a figure with its target: "0.012 < 0.025", or in bold with the actual relation when it is missed.
 /// "-" when it was not measured.
 std::string cell(double value, int decimals, const std::optional<Target>& target = std::nullopt);
 

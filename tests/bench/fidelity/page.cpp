@@ -17,7 +17,7 @@ implementation; "-" means that there was nothing to measure.
 
 )";
 
-/// Never more than one empty line, and none at the end.
+/// Reduces runs of empty lines to one and removes them at the end.
 std::string tidy(const std::string& text) {
     std::string result;
     for (const char c : text) {

@@ -1,5 +1,6 @@
 #include "drive_pictures.h"
 #include "flownav/cli/number_text.h"
+#include "flownav/math/units.h"
 #include "flownav/testing/write_scene.h"
 #include "markdown.h"
 #include "sections.h"
@@ -9,8 +10,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double ahead_m = 0.5;    // half the width of a robot's way
-constexpr double claimed_m = 0.1;  // [P]: points lie on a grid of 10 cm
+constexpr double ahead_m = 0.5;    // half the width of the robot's path
+constexpr double claimed_m = 0.1;  // [P]: the points lie on a grid of 10 cm
 
 struct Range {
     double from_m, to_m;
@@ -24,10 +25,9 @@ RenderedScene loop(const Studio& studio) {
     return render_scene("loop-" + std::to_string(studio.seed), options, studio.cache);
 }
 
-double off_surface_m(const testing::World& world, const Vector2d& at_m) {
+double off_surface_m(const sim::World& world, const Vector2d& at_m) {
     double nearest_m = 9.0;
-    for (const testing::Primitive& p : world.primitives)
-        nearest_m = std::min(nearest_m, testing::distance_m(p, at_m));
+    for (const sim::Solid& p : world.solids) nearest_m = std::min(nearest_m, testing::distance_m(p, at_m));
     return nearest_m;
 }
 
@@ -40,7 +40,7 @@ DriveRecord record_of(const RenderedScene& drive) {
         const Pose2& truth = scene.poses[static_cast<std::size_t>(m.image)];
         record.truth_m.emplace_back(truth.x_m, truth.y_m);
         record.flow_m.emplace_back(m.step.T_start_robot.x_m, m.step.T_start_robot.y_m);
-        const testing::World world = testing::at_time(scene.world, scene.time_s(m.image));
+        const sim::World world = testing::at_time(scene.world, scene.time_s(m.image));
         for (const ObstaclePoint& point : m.step.obstacles) {
             const Vector2d at_m = transform(truth, point.position_m.head<2>());
             record.points.push_back({point.position_m.head<2>(), at_m, off_surface_m(world, at_m)});
@@ -78,11 +78,11 @@ std::string range_table(const std::vector<JudgedPoint>& points) {
     return to_markdown(table);
 }
 
-/// Distance and turn between the ends of two tracks that begin together.
+/// Distance and angle between the ends of two tracks with a common start.
 std::vector<std::string> end_row(const std::string& name, const Pose2& end, const Pose2& truth, double path_m,
                                  bool judged) {
     const double off_m = std::hypot(end.x_m - truth.x_m, end.y_m - truth.y_m);
-    const double turn_deg = to_deg(wrap_angle(end.yaw_rad - truth.yaw_rad));
+    const double turn_deg = deg(wrap_angle(end.yaw_rad - truth.yaw_rad));
     const auto target = [judged](double limit) {
         return judged ? std::optional<Target>(below(limit)) : std::nullopt;
     };

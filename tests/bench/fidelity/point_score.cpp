@@ -2,18 +2,19 @@
 
 #include <set>
 
+#include "flownav/math/units.h"
 #include "flownav/testing/truth.h"
 
 namespace flownav::fidelity {
 namespace {
 
 using Eigen::Vector2d;
-using testing::Primitive;
-using testing::World;
+using sim::Solid;
+using sim::World;
 
-constexpr double view_half_angle_rad = 24.0 * M_PI / 180.0;
+constexpr double view_half_angle_rad = 24.0 * degree_rad;
 constexpr double hit_m = 0.25;
-constexpr double low_m = 0.3;  // lower things are not asked for
+constexpr double low_m = 0.3;  // lower objects are not evaluated
 constexpr int times_in_view = 3;
 constexpr int hits_needed = 3;
 
@@ -23,8 +24,8 @@ Vector2d in_world(const Moment& m, const ObstaclePoint& point) {
 
 double distance_to_m(const World& world, const Vector2d& at_m, int object = 0) {
     double nearest_m = 9.0;
-    for (const Primitive& p : world.primitives)
-        if (object == 0 || p.object == object) nearest_m = std::min(nearest_m, testing::distance_m(p, at_m));
+    for (const Solid& s : world.solids)
+        if (object == 0 || s.object == object) nearest_m = std::min(nearest_m, testing::distance_m(s, at_m));
     return nearest_m;
 }
 
@@ -35,20 +36,21 @@ World world_at(const Moment& m) {
 struct Thing {
     Vector2d middle_m = Vector2d::Zero();
     double highest_m = 0.0;
-    testing::ThingKind kind = testing::ThingKind::Box;
+    sim::ThingKind kind = sim::ThingKind::Box;
 };
 
-/// All things but the walls.
+/// All objects except walls.
 std::map<int, Thing> things_of(const World& world) {
     std::map<int, Thing> things;
     std::map<int, int> parts;
-    for (const Primitive& p : world.primitives) {
-        if (p.object == testing::wall_object) continue;
-        Thing& thing = things[p.object];
-        thing.middle_m += p.centre_m;
-        thing.highest_m = std::max(thing.highest_m, p.z_high_m);
-        thing.kind = p.kind;
-        ++parts[p.object];
+    for (const Solid& s : world.solids) {
+        if (s.object == testing::wall_object) continue;
+        const testing::Upright u = testing::upright_of(s);
+        Thing& thing = things[s.object];
+        thing.middle_m += u.centre_m;
+        thing.highest_m = std::max(thing.highest_m, u.z_high_m);
+        thing.kind = s.kind;
+        ++parts[s.object];
     }
     for (auto& [object, thing] : things) thing.middle_m /= parts[object];
     return things;
@@ -63,7 +65,7 @@ bool ahead_between(const Moment& m, const Thing& thing, double nearest_m, double
 
 std::set<int> objects_in_sight(const Moment& m) {
     std::set<int> objects;
-    const testing::View view = testing::true_view(m.drive.scene, m.reference);
+    const sim::View view = testing::true_view(m.drive.scene, m.reference);
     for (const pipeline::BlockRecord& block : m.step.blocks) {
         const auto sight = testing::look(m.drive.scene.world, view, block.vector.at_px);
         if (sight) objects.insert(sight->object);
@@ -122,7 +124,7 @@ void PointWatcher::see_chairs(const Moment& m) {
     for (const auto& item : things) {
         const int object = item.first;
         const Thing& thing = item.second;
-        if (thing.kind != testing::ThingKind::Chair || !ahead_between(m, thing, 2.0, 4.0)) continue;
+        if (thing.kind != sim::ThingKind::Chair || !ahead_between(m, thing, 2.0, 4.0)) continue;
         if (in_sight.empty()) in_sight = objects_in_sight(m);
         if (in_sight.count(object) == 0) continue;
         score_.chairs_in_a_cycle.add(

@@ -8,14 +8,14 @@
 
 namespace flownav::fidelity {
 
-/// Obstacle points against the surfaces of the world, horizontally, over one or several drives.
+/// Horizontal distances of obstacle points to the surfaces of the world, over one or several drives.
 struct PointScore {
-    Share ghosts;  ///< points far from everything, per cycle with points
+    Share ghosts;  ///< points far from all surfaces, per cycle with points
     Share near;    ///< points at a surface
     /// Distances to the nearest surface of points at 1-2, 2-3 and 3-4 m.
     std::array<std::vector<double>, 3> surface_error_m;
-    Share objects;            ///< things that passed ahead: those with three points at least
-    Share chairs_in_a_cycle;  ///< chairs in view at 2-4 m: those with a point in that cycle
+    Share objects;            ///< share of the objects passed ahead that have at least three points
+    Share chairs_in_a_cycle;  ///< share of the chairs in view at 2-4 m that have a point in that cycle
 
     void add(const PointScore& other);
 };
@@ -31,7 +31,7 @@ class PointWatcher {
     void see_chairs(const Moment& moment);
 
     PointScore score_;
-    std::map<int, int> cycles_in_view_, hits_;  ///< of every object
+    std::map<int, int> cycles_in_view_, hits_;  ///< counts per object
 };
 
 }  // namespace flownav::fidelity

@@ -2,6 +2,7 @@
 
 #include "flownav/config/make_state.h"
 #include "flownav/io/kitti.h"
+#include "flownav/math/units.h"
 #include "lidar_pictures.h"
 #include "lidar_score.h"
 #include "markdown.h"
@@ -13,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr auto drive = "2011_09_26_drive_braking_sync";
-constexpr double travel_min_m = 0.02;  // of a cycle that can see depth at all
+constexpr double travel_min_m = 0.02;  // minimum travel of a cycle that can measure depth
 constexpr double rate_hz = 10.0;
 
 constexpr auto text = R"(
@@ -27,7 +28,7 @@ The second table says what became of the blocks; "above tau" is judged from the 
 
 )";
 
-/// ini/kitti.ini with what the comment there says about the raw drives.
+/// ini/kitti.ini with the changes for raw drives that its comment describes.
 config::Config raw_config() {
     config::Config config;
     config::load_config_file(config, std::string(FLOWNAV_INI_DIR) + "/kitti.ini");
@@ -90,7 +91,7 @@ LidarScore braking_score(const fs::path& folder, const RealDataOptions& options)
     const config::Config config = raw_config();
     CameraMount mount;
     mount.height_m = config.camera.height_m.value();
-    mount.roll_rad = config.camera.roll_deg.value() * M_PI / 180.0;
+    mount.roll_rad = config.camera.roll_deg.value() * degree_rad;
     mount.forward_m = config.camera.forward_m.value();
     io::KittiRaw images(folder, drive, rate_hz, mount);
     pipeline::State state = config::make_state(config);

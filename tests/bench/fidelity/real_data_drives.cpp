@@ -5,6 +5,7 @@
 #include "flownav/evaluation/metrics.h"
 #include "flownav/io/image_folder.h"
 #include "flownav/io/kitti.h"
+#include "flownav/math/units.h"
 #include "markdown.h"
 #include "real_data.h"
 #include "statistics.h"
@@ -13,8 +14,6 @@ namespace flownav::fidelity {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double deg = M_PI / 180.0;
 
 constexpr auto odometry_text = R"(
 ### KITTI odometry, sequence 00: 84 m from a cold start
@@ -40,9 +39,9 @@ config::Config config_of(const std::string& ini) {
 CameraMount mount_of(const config::CameraConfig& camera) {
     CameraMount mount;
     mount.height_m = camera.height_m.value();
-    mount.pitch_rad = camera.pitch_deg.value() * deg;
-    mount.roll_rad = camera.roll_deg.value() * deg;
-    mount.yaw_rad = camera.yaw_deg.value() * deg;
+    mount.pitch_rad = camera.pitch_deg.value() * degree_rad;
+    mount.roll_rad = camera.roll_deg.value() * degree_rad;
+    mount.yaw_rad = camera.yaw_deg.value() * degree_rad;
     mount.forward_m = camera.forward_m.value();
     return mount;
 }
@@ -73,7 +72,7 @@ int first_ok(const std::vector<evaluation::FieldRow>& rows) {
     return -1;
 }
 
-/// The column gyro_z_degps, row by row.
+/// Reads the column gyro_z_degps, row by row.
 std::vector<double> gyro_degps(const fs::path& log) {
     std::ifstream in(log);
     std::vector<double> values;
@@ -137,7 +136,7 @@ GyroScore gyro_score(const fs::path& folder) {
     std::vector<double> flow, same, magnitudes;
     for (std::size_t i = 1; i < rows.size() && i <= gyro.size(); ++i) {
         if (rows[i].status != FieldStatus::Ok) continue;
-        flow.push_back(to_deg(rows[i].omega_radps));
+        flow.push_back(deg(rows[i].omega_radps));
         same.push_back(gyro[i - 1]);
         score.difference_degps.add(flow.back() - same.back());
         magnitudes.push_back(std::abs(flow.back() - same.back()));

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "flownav/testing/random.h"
+#include "flownav/sim/random.h"
 
 namespace flownav::fidelity {
 namespace {
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 class Fingerprint {
   public:
-    void add(std::uint64_t bits) { state_ = testing::mix(state_, bits); }
+    void add(std::uint64_t bits) { state_ = sim::mix(state_, bits); }
     void add(double value) {
         std::uint64_t bits = 0;
         std::memcpy(&bits, &value, sizeof bits);
@@ -30,11 +30,11 @@ class Fingerprint {
     std::uint64_t state_ = 1;
 };
 
-/// Everything that the pictures depend on, and one picture to notice another renderer.
+/// Hash of all that the pictures depend on, and of one picture, which depends on the renderer too.
 std::uint64_t fingerprint(const Scene& scene) {
     Fingerprint f;
     f.add(scene.options.effects.exposure_s);
-    f.add(scene.world.ground.seed);
+    f.add(scene.world.floor.seed);
     f.add(scene.world.waves.highest_m);
     for (int i = 0; i < scene.images(); ++i) {
         const testing::ImageEffects e = testing::image_effects(scene, i);
@@ -43,11 +43,13 @@ std::uint64_t fingerprint(const Scene& scene) {
         const Pose2& pose = scene.poses[static_cast<std::size_t>(i)];
         for (const double value : {pose.x_m, pose.y_m, pose.yaw_rad}) f.add(value);
     }
-    for (const testing::Primitive& p : scene.world.primitives) {
-        for (const double value : {p.centre_m.x(), p.centre_m.y(), p.z_low_m, p.z_high_m, p.half_x_m,
-                                   p.half_y_m, p.yaw_rad, p.velocity_mps.x(), p.velocity_mps.y()})
+    for (const sim::Solid& solid : scene.world.solids) {
+        const testing::Upright u = testing::upright_of(solid);
+        const Eigen::Vector3d later_m = pose_at(solid, scene.time_s(scene.images())).translation();
+        for (const double value : {u.centre_m.x(), u.centre_m.y(), u.z_low_m, u.z_high_m, u.half_x_m,
+                                   u.half_y_m, u.yaw_rad, later_m.x(), later_m.y()})
             f.add(value);
-        f.add(p.texture.seed);
+        f.add(solid.look.seed);
     }
     for (const std::uint8_t grey : testing::render_image(scene, scene.images() / 2).pixels)
         f.add(std::uint64_t{grey});
@@ -84,7 +86,7 @@ std::vector<Field> read_fields(const Scene& scene, const fs::path& file) {
     return fields;
 }
 
-/// Written beside its place and then moved there, so that nobody reads half of it.
+/// Written beside its place and then moved there, so that no reader sees half of it.
 void write_fields(const std::vector<Field>& fields, const fs::path& file) {
     std::ostringstream unique;
     unique << file.string() << '.' << &fields << ".part";

@@ -90,7 +90,7 @@ std::string detection_of(const Score& score) {
     std::string text = left("  blocks to", name_width);
     for (const double range_m : range_ends_m) text += right(cli::fixed_text(range_m, 1) + " m", 16);
     for (const auto& [kind, shares] : score.blocks.by_kind) {
-        text += '\n' + left(std::string("  ") + testing::to_string(kind), name_width);
+        text += '\n' + left(std::string("  ") + sim::to_string(kind), name_width);
         for (const Share& share : shares) {
             const std::string counts = std::to_string(share.hits) + " of " + std::to_string(share.all);
             text += right(share.all > 0 ? counts : "-", 16);

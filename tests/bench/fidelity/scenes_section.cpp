@@ -68,7 +68,7 @@ std::string detection(const std::vector<Row>& rows) {
     }
     table.heads.emplace_back("all");
     for (const auto& [kind, shares] : all.by_kind) {
-        std::vector<std::string> cells = {testing::to_string(kind)};
+        std::vector<std::string> cells = {sim::to_string(kind)};
         Share total;
         for (const Share& share : shares) {
             total.add(share);

@@ -6,7 +6,7 @@
 
 namespace flownav::fidelity {
 
-/// All figures of a drive, or of several drives added up.
+/// All figures of one drive, or summed over several.
 struct Score {
     EgoScore ego;
     PointScore points;
@@ -16,7 +16,7 @@ struct Score {
     void add(const Score& other);
 };
 
-/// Runs the chain over a drive that starts at the identity and compares with the exact truth.
+/// Runs the chain over a drive that starts at the identity and compares it with the exact truth.
 Score evaluate(const RenderedScene& drive, const config::Config& config);
 
 }  // namespace flownav::fidelity

@@ -9,7 +9,7 @@ namespace flownav::fidelity {
 
 constexpr double nothing_measured = std::numeric_limits<double>::quiet_NaN();
 
-/// Mean and spread of errors; sums of several drives can be added.
+/// Mean and spread of errors; can be added over several drives.
 struct Moments {
     std::int64_t count = 0;
     double sum = 0.0;
@@ -42,7 +42,7 @@ struct Moments {
     }
 };
 
-/// So many of so many.
+/// A number of hits out of a total.
 struct Share {
     std::int64_t hits = 0;
     std::int64_t all = 0;
@@ -58,7 +58,7 @@ struct Share {
     double percent() const {
         return all > 0 ? 100.0 * static_cast<double>(hits) / static_cast<double>(all) : nothing_measured;
     }
-    /// Hits per one of `all`, such as false alarms per cycle.
+    /// Hits per element of `all`, such as false alarms per cycle.
     double rate() const { return 0.01 * percent(); }
 };
 
@@ -68,10 +68,6 @@ inline double median(std::vector<double> values) {
     std::nth_element(values.begin(), middle, values.end());
     if (values.size() % 2 == 1) return *middle;
     return 0.5 * (*middle + *std::max_element(values.begin(), middle));
-}
-
-inline double to_deg(double angle_rad) {
-    return angle_rad * 180.0 / M_PI;
 }
 
 }  // namespace flownav::fidelity

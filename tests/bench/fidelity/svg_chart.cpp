@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "flownav/cli/number_text.h"
+#include "flownav/report/html.h"
 
 namespace flownav {
 
@@ -16,8 +17,8 @@ constexpr double right_px = 16;
 constexpr double top_px = 44;
 constexpr double bottom_px = 48;
 constexpr double inner_px = width_px - left_px - right_px;
-constexpr double flat_height_px = 230;  ///< of the plot area over time
-constexpr double lowest_plan_px = 180;  ///< of the plot area of a plan
+constexpr double flat_height_px = 230;  ///< height of the plot area of a chart over time
+constexpr double lowest_plan_px = 180;  ///< minimum height of the plot area of a plan
 constexpr double highest_plan_px = 620;
 constexpr std::size_t most_points = 2000;
 
@@ -43,7 +44,7 @@ struct Range {
     }
 };
 
-/// Where data fall on the page.
+/// Mapping from data to the page.
 struct Frame {
     Range x;
     Range y;
@@ -53,7 +54,7 @@ struct Frame {
     double v(double value) const { return top_px + (y.high - value) / y.span() * height_px; }
 };
 
-/// 1, 2 or 5 times a power of ten, so that about `ticks` of them make the span.
+/// 1, 2 or 5 times a power of ten, such that the span has about `ticks` steps.
 double tick_step(double span, int ticks) {
     const double rough = span / ticks;
     const double power = std::pow(10.0, std::floor(std::log10(rough)));
@@ -65,7 +66,7 @@ double tick_step(double span, int ticks) {
 std::string text(double x, double y, const std::string& anchor, const std::string& content,
                  const std::string& extra = "") {
     return "<text x='" + cli::fixed_text(x, 1) + "' y='" + cli::fixed_text(y, 1) + "' text-anchor='" +
-           anchor + "'" + extra + ">" + html_text(content) + "</text>\n";
+           anchor + "'" + extra + ">" + report::html::escaped(content) + "</text>\n";
 }
 
 std::string line(double x1, double y1, double x2, double y2, const std::string& css_class) {
@@ -108,10 +109,10 @@ std::string axes(const Chart& chart, const Frame& frame) {
     return svg;
 }
 
-/// The looks of a line, as attributes.
+/// Style of a line, as SVG attributes.
 std::string stroke(const ChartSeries& series) {
-    return " stroke='" + series.colour + "' stroke-width='" + cli::fixed_text(series.width_px, 1) + "'" +
-           (series.dashed ? " stroke-dasharray='7 4'" : "");
+    return " stroke='" + series.colour.css() + "' stroke-width='" + cli::fixed_text(series.width_px, 1) +
+           "'" + (series.dashed ? " stroke-dasharray='7 4'" : "");
 }
 
 std::string curve(const ChartSeries& series, const Frame& frame, std::size_t most_a_piece) {
@@ -126,7 +127,8 @@ std::string curve(const ChartSeries& series, const Frame& frame, std::size_t mos
         }
         if (points.size() == 1) {
             dots += "<circle cx='" + cli::fixed_text(frame.u(points[0].x()), 1) + "' cy='" +
-                    cli::fixed_text(frame.v(points[0].y()), 1) + "' r='1.5' fill='" + series.colour + "'/>\n";
+                    cli::fixed_text(frame.v(points[0].y()), 1) + "' r='1.5' fill='" + series.colour.css() +
+                    "'/>\n";
         }
     }
     return "<path class='curve'" + stroke(series) + " d='" + path + "'/>\n" + dots;
@@ -174,32 +176,6 @@ Frame frame_of(const Chart& chart) {
 
 }  // namespace
 
-std::string html_text(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            case '\'':
-                result += "&#39;";
-                break;
-            default:
-                result += c;
-        }
-    }
-    return result;
-}
-
 std::vector<Eigen::Vector2d> thinned(const std::vector<Eigen::Vector2d>& piece, std::size_t most) {
     if (piece.size() <= most || most < 4) return piece;
     const std::size_t bucket = (2 * piece.size() + most - 3) / (most - 2);
@@ -222,8 +198,8 @@ std::string svg_chart(const Chart& chart) {
     const Frame frame = frame_of(chart);
     const double height_px = top_px + frame.height_px + bottom_px;
     std::string svg = "<svg viewBox='0 0 " + cli::fixed_text(width_px, 0) + ' ' +
-                      cli::fixed_text(height_px, 0) + "' role='img' aria-label='" + html_text(chart.title) +
-                      "'>\n";
+                      cli::fixed_text(height_px, 0) + "' role='img' aria-label='" +
+                      report::html::escaped(chart.title) + "'>\n";
     svg += text(left_px, 17, "start", chart.title, " class='title'");
     if (frame.x.empty()) return svg + text(width_px / 2, height_px / 2, "middle", "no data") + "</svg>\n";
     svg += axes(chart, frame);

@@ -6,7 +6,7 @@
 
 namespace flownav::fidelity {
 
-/// What the figures of one scene should be; nothing where only the number is asked for.
+/// Targets for the figures of one scene; empty for figures without a target.
 struct Targets {
     std::optional<Target> omega_image_degps, omega_cycle_degps, t_bias_percent, t_scatter_percent;
     std::optional<Target> ghosts_per_cycle, false_per_cycle, detected_percent;

@@ -60,7 +60,7 @@ int run(int argc, char** argv) {
     if (!a.line.parse(argc, argv)) return 0;
     ScenarioOptions options;
     options.sensor = a.sensor.getValue() == "lidar" ? drive::SensorKind::Lidar : drive::SensorKind::Flow;
-    if (a.navigator.getValue() == "reactive") options.navigator = NavigatorKind::Reactive;
+    options.navigator = a.navigator.getValue();
     options.explain = a.explain.getValue();
     options.mover_near_m = a.near.getValue();
     options.mover_spread_m = a.spread.getValue();

@@ -13,18 +13,18 @@
 
 namespace flownav {
 
-/// What goes wrong in a run of the experiment.
+/// Faults of the experiment.
 enum class Fault {
     None,
-    Frozen,        ///< one image again and again, with fresh time stamps
+    Frozen,        ///< repeats one image with new time stamps
     Black,         ///< every pixel 0
     Saturated,     ///< every pixel 255
     HalfCovered,   ///< the left or the right half of the image is dark, with a little noise
     Delayed,       ///< fields arrive a second late
     Dropped,       ///< 30 % of the fields are lost at random
-    OdometryJump,  ///< the pose of the wheels jumps once
+    OdometryJump,  ///< the pose of the wheel odometry jumps once
     NavigatorHung,
-    Mover,  ///< something steps into the lane
+    Mover,  ///< an object enters the lane
 };
 
 constexpr std::array<Fault, 9> all_faults = {Fault::Frozen,       Fault::Black,         Fault::Saturated,
@@ -38,7 +38,7 @@ inline const char* to_string(Fault fault) {
     return words.at(static_cast<std::size_t>(fault));
 }
 
-/// When and how; times are those of the fields, wheels and commands.
+/// Fault and its period; times are those of the fields, wheels and commands.
 struct FaultPlan {
     Fault fault = Fault::None;
     double from_s = 0.0;
@@ -48,7 +48,7 @@ struct FaultPlan {
     bool holds(double time_s) const { return time_s >= from_s && time_s < until_s; }
 };
 
-/// A number in 0 .. 1 of a seed and a count, the same everywhere.
+/// Deterministic number in 0 .. 1 from a seed and a count, equal on every machine.
 inline double chance(std::uint64_t seed, std::uint64_t count) {
     std::uint64_t x = seed * 0x9E3779B97F4A7C15ULL + count * 0xBF58476D1CE4E5B9ULL + 0x94D049BB133111EBULL;
     x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ULL;
@@ -56,7 +56,7 @@ inline double chance(std::uint64_t seed, std::uint64_t count) {
     return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53;
 }
 
-/// The field with other pixels.
+/// Copies a field with new pixel values.
 inline Field repainted(const Field& field,
                        const std::function<std::uint8_t(int u, int v, std::uint8_t grey)>& paint) {
     const ImageView& image = field.image;
@@ -70,12 +70,12 @@ inline Field repainted(const Field& field,
     return changed;
 }
 
-/// Breaks a stream of fields.
+/// Applies the faults to a stream of fields.
 class BrokenFields {
   public:
     explicit BrokenFields(const FaultPlan& plan) : plan_(plan) {}
 
-    /// The field as it arrives; empty: it does not. `time_s`: of the plan.
+    /// Returns the field as it arrives; empty when it is lost. `time_s` is a time of the plan.
     std::optional<Field> operator()(const Field& field, double time_s) {
         ++fields_;
         if (!plan_.holds(time_s)) return field;
@@ -119,7 +119,7 @@ class BrokenFields {
     std::optional<Field> frozen_;
 };
 
-/// Breaks the wheels: from plan.from_s on they are somewhere else.
+/// Adds the jump of the wheel odometry from plan.from_s on.
 inline Pose2 broken_odometry(const FaultPlan& plan, double time_s, const Pose2& T_odom_robot) {
     if (plan.fault != Fault::OdometryJump || time_s < plan.from_s) return T_odom_robot;
     const double sign = chance(plan.seed, 1) < 0.5 ? -1.0 : 1.0;

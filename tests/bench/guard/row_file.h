@@ -8,11 +8,11 @@
 
 namespace flownav {
 
-/// The runs so far; a missing file holds none.
+/// Reads the runs so far; empty for a missing file.
 std::vector<RunRow> read_rows(const std::filesystem::path& path);
 void append_row(const std::filesystem::path& path, const RunRow& row);
 
-/// One line of markdown a fault.
+/// Markdown table with one line per fault.
 std::string table_of(const std::vector<RunRow>& rows);
 
 }  // namespace flownav

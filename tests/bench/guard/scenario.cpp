@@ -6,6 +6,8 @@
 #include <iostream>
 #include <memory>
 
+#include "flownav/math/units.h"
+
 namespace flownav {
 namespace {
 
@@ -55,7 +57,7 @@ sim::World make_world(std::uint64_t seed) {
     return world;
 }
 
-/// Waits behind the wall, slides across the lane, leaves no room to pass, stays, and goes back.
+/// An object that waits behind the wall, slides across the lane, blocks it, stays, and goes back.
 sim::Solid mover(const FaultPlan& plan, const Pose2& T_world_robot, double ahead_m) {
     const double side = chance(plan.seed, 21) < 0.5 ? 1.0 : -1.0;
     const double x_m = T_world_robot.x_m + ahead_m + mover_depth_m / 2;
@@ -68,7 +70,7 @@ sim::Solid mover(const FaultPlan& plan, const Pose2& T_world_robot, double ahead
         pose.T_world_solid.translation() << at_m, 0.5;
         solid.script.push_back(pose);
     };
-    // Its edge comes out of the wall at from_s.
+    // The edge of the object leaves the wall at from_s.
     const double walk_s = mover_out_m / mover_speed_mps;
     const double hidden_s = (mover_out_m - mover_width_m / 2 - half_width_m) / mover_speed_mps;
     place(std::max(0.0, plan.from_s - hidden_s), out);
@@ -163,7 +165,7 @@ drive::SimulatedDriveOptions Scenario::drive_options() const {
     camera.cy_px = (options_.height_px - 1) / 2.0;
     camera.mount.height_m = 0.5;
     drive.camera.supersampling = 1;
-    camera.mount.pitch_rad = 20.0 * M_PI / 180.0;
+    camera.mount.pitch_rad = 20.0 * degree_rad;
     drive.camera.rate_hz = 25.0;
     drive.camera.effects.noise_sigma = 2.0;
     drive.camera.effects.seed = seed_;
@@ -184,7 +186,7 @@ drive::DriveSample Scenario::moment_of(Fault fault) const {
 void Scenario::break_drive(drive::SimulatedDriveOptions& drive, const FaultPlan& plan,
                            const drive::DriveSample& at, RunRow& row) const {
     drive::DriveFaults& faults = drive.faults;
-    const double start_s = 1767225600;  // of simulated fields
+    const double start_s = 1767225600;  // epoch of the simulated fields
     auto broken = std::make_shared<BrokenFields>(plan);
     faults.field = [broken, start_s](const Field& field) {
         return (*broken)(field, field.timestamp_s - start_s);
@@ -195,7 +197,7 @@ void Scenario::break_drive(drive::SimulatedDriveOptions& drive, const FaultPlan&
     faults.odometry = [plan](double time_s, const Pose2& pose) {
         return broken_odometry(plan, time_s, pose);
     };
-    // Before the mover the guard is to stop, not the navigator, which drives on blindly.
+    // The guard alone must stop before the object, so the navigator drives on at full speed.
     const MotionCommand blindly{drive.config.navigation.robot.v_max_mps, 0.0};
     drive.navigator = [plan, blindly](double time_s,
                                       const MotionCommand& proposed) -> std::optional<MotionCommand> {
@@ -221,12 +223,12 @@ RunRow Scenario::run(Fault fault) {
     const drive::DriveResult result = drive::simulate_drive(drive, nobody);
     const RobotModel& robot = drive.config.navigation.robot;
     row.speed_mps = at.motion.v_mps;
-    // The first frozen image is a true one.
+    // The first frozen image is still valid.
     const double unknowable_s = fault == Fault::Frozen ? 1.0 / drive.camera.rate_hz : 0.0;
     row.allowed_s =
         unknowable_s + reaction_s + robot.delay_s + tick_s +
         std::max(at.motion.v_mps / robot.brake_mps2, std::abs(at.motion.omega_radps) / robot.alpha_radps2);
-    // There is no hurry before a mover that is still far away: the robot is to stand before it leaves.
+    // An object may be far ahead: the robot must stand before the object leaves.
     if (fault == Fault::Mover) row.allowed_s = lasts_s;
     measure(result, plan, row);
     if (options_.explain) explain(result, plan);

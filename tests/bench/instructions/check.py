@@ -22,7 +22,7 @@ class Skipped(Exception):
 
 
 def totals_of(folder):
-    """{part: instructions} of the dumps that callgrind left in a folder."""
+    """Returns {part: instructions} of callgrind's dumps in a folder."""
     totals = {}
     for dump in sorted(Path(folder).glob("out*")):
         text = dump.read_text()
@@ -34,7 +34,7 @@ def totals_of(folder):
 
 
 def count(valgrind, driver, rawlog, kernel):
-    """{"match": instructions a field, "step": instructions a field}"""
+    """Returns {"match": instructions per field, "step": instructions per field}."""
     if not valgrind or not Path(valgrind).exists():
         raise Skipped("valgrind is not installed")
     with tempfile.TemporaryDirectory() as folder:
@@ -53,7 +53,7 @@ def count(valgrind, driver, rawlog, kernel):
 
 
 def problems(kernel, counted, committed, how_to_update):
-    """Sentences about every figure that is not as committed."""
+    """Returns a sentence for every figure that differs from the committed one."""
     if kernel not in committed:
         return [f"kernel {kernel} has no committed figures; if it is as fast as it shall be: {how_to_update}"]
     found = []

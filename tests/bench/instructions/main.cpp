@@ -1,6 +1,6 @@
-// What callgrind counts: one field after the other through the matcher, and then through the whole chain.
-// Without valgrind the requests to it do nothing. Usage: flownav-bench-instructions RAWLOG KERNEL; status 77:
-// no such kernel.
+// Program for callgrind: runs field after field through the matcher, then through the whole chain. Without
+// valgrind the requests to it have no effect. Usage: flownav-bench-instructions RAWLOG KERNEL; status 77:
+// unsupported kernel.
 #include <valgrind/callgrind.h>
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 namespace flownav::bench {
 namespace {
 
-constexpr std::size_t settling_fields = 10;  // the first ones allocate, and know no prediction
+constexpr std::size_t settling_fields = 10;  // the first fields allocate memory and have no prediction
 constexpr std::size_t counted_fields = 30;
 
-/// Null when the table does not hold it or the processor cannot run it.
+/// Null when the kernel is not in the table or the processor does not support it.
 const flow::KernelEntry* find_kernel(const std::string& name) {
     const auto& table = flow::kernel_table();
     const auto found =

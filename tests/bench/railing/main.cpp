@@ -9,6 +9,7 @@
 #include "flownav/core/version.h"
 #include "flownav/drive/simulated_drive.h"
 #include "flownav/io/output_file.h"
+#include "flownav/math/units.h"
 #include "flownav/sim/sdf_world.h"
 #include "svg_chart.h"
 
@@ -17,12 +18,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-const char* const truth_colour = "#000000";
-const char* const flow_colour = "#0072b2";
-const char* const wheels_colour = "#d55e00";
-const char* const thing_colour = "#999999";
+constexpr report::Colour truth_colour = report::palette::black;
+constexpr report::Colour flow_colour = report::palette::blue;
+constexpr report::Colour wheels_colour = report::palette::vermilion;
+constexpr report::Colour thing_colour = report::palette::grey;
 
-/// What both kinds of odometry said while the robot drove; each starts at the identity.
+/// Records both kinds of odometry during the drive; each starts at the identity.
 struct Tracks : drive::DriveObserver {
     struct Stamped {
         double time_s;
@@ -39,33 +40,34 @@ struct Tracks : drive::DriveObserver {
     void on_truth(double timestamp_s, const Pose2& pose) override { truth.push_back({timestamp_s, pose}); }
 };
 
-/// Seen from its own first pose.
+/// Transforms a track to the frame of its first pose.
 std::vector<Tracks::Stamped> from_start(std::vector<Tracks::Stamped> track) {
     const Pose2 T_start_world = inverse(track.front().pose);
     for (Tracks::Stamped& sample : track) sample.pose = compose(T_start_world, sample.pose);
     return track;
 }
 
-ChartSeries plan_of(const std::string& name, const char* colour, const std::vector<Tracks::Stamped>& track) {
+ChartSeries plan_of(const std::string& name, const report::Colour& colour,
+                    const std::vector<Tracks::Stamped>& track) {
     ChartSeries series{name, colour, {{}}};
     for (const auto& [time_s, pose] : track) series.pieces[0].emplace_back(pose.x_m, pose.y_m);
     series.pieces[0] = thinned(series.pieces[0], 800);
     return series;
 }
 
-ChartSeries heading_of(const std::string& name, const char* colour,
+ChartSeries heading_of(const std::string& name, const report::Colour& colour,
                        const std::vector<Tracks::Stamped>& track) {
     ChartSeries series{name, colour, {{}}};
     double heading_rad = 0.0;  // unwrapped
     for (const auto& [time_s, pose] : track) {
         heading_rad += wrap_angle(pose.yaw_rad - heading_rad);
-        series.pieces[0].emplace_back(time_s - track.front().time_s, heading_rad * 180.0 / M_PI);
+        series.pieces[0].emplace_back(time_s - track.front().time_s, deg(heading_rad));
     }
     series.pieces[0] = thinned(series.pieces[0], 800);
     return series;
 }
 
-/// Outlines of what stands there, as seen from the start.
+/// Outlines of the obstacles in the frame of the start.
 ChartSeries things(const sim::World& world, const Pose2& start) {
     ChartSeries series{"railing and chair", thing_colour, {}};
     for (const sim::Solid& solid : world.solids) {
@@ -103,18 +105,18 @@ drive::SimulatedDriveOptions experiment(const std::string& world, const config::
     options.world = sim::read_sdf_world(world).world;
     options.start = options.world.start;
     options.config = config;
-    options.config.navigation.plan = PlanPolicy::Never;
+    options.config.recovery.replan = nav::ReplanPolicy::Never;
     options.waypoint_robot_m = Vector2d(5.0, 2.0);  // [P]: "unreachable goal on the left"
     options.way_max_m = way_m;
     options.timeout_s = 4.0 * way_m / config.navigation.robot.v_max_mps;
-    CameraModel& camera = options.camera.camera;  // [P]'s: PAL fields, 55 degrees wide
+    CameraModel& camera = options.camera.camera;  // the camera of [P]: PAL fields, 55 degrees wide
     camera.width_px = 768;
     camera.height_px = 576;
-    camera.fx_px = camera.fy_px = 384.0 / std::tan(27.5 * M_PI / 180.0);
+    camera.fx_px = camera.fy_px = 384.0 / std::tan(27.5 * degree_rad);
     camera.cx_px = 383.5;
     camera.cy_px = 287.5;
     camera.mount.height_m = config.camera.height_m.value_or(0.9);
-    camera.mount.pitch_rad = config.camera.pitch_deg.value_or(25.0) * M_PI / 180.0;
+    camera.mount.pitch_rad = config.camera.pitch_deg.value_or(25.0) * degree_rad;
     options.camera.interlaced = true;
     options.camera.rate_hz = 50.0;
     options.camera.effects.noise_sigma = 2.5;
@@ -127,7 +129,7 @@ double error_percent(const std::vector<Tracks::Stamped>& track, const Pose2& tru
 }
 
 double heading_error_deg(const std::vector<Tracks::Stamped>& track, const Pose2& truth) {
-    return wrap_angle(track.back().pose.yaw_rad - truth.yaw_rad) * 180.0 / M_PI;
+    return deg(wrap_angle(track.back().pose.yaw_rad - truth.yaw_rad));
 }
 
 Figures run(const drive::SimulatedDriveOptions& options, const std::string& name,
@@ -186,10 +188,9 @@ int experiment_app(int argc, char** argv) {
     std::string table =
         "| navigator | outcome | way (m) | time (s) | nearest (m) | flow: end (% of way) | heading (deg) | "
         "wheels: end (% of way) | heading (deg) |\n|---|---|---|---|---|---|---|---|---|\n";
-    for (const auto& [name, kind] :
-         {std::pair{"lanes", NavigatorKind::Lanes}, {"reactive", NavigatorKind::Reactive}}) {
+    for (const char* name : {"lanes", "reactive"}) {
         config::Config config;
-        config.navigation.navigator = kind;
+        config.navigation.navigator = name;
         const Figures figures =
             run(experiment(world.getValue(), config, way.getValue()), name, folder.getValue());
         table += row(name, figures);

@@ -25,11 +25,12 @@ DIFFERS_BETWEEN_RUNS = "timing.json"
 
 
 class Failure(Exception):
-    """What flownav-regress must never do."""
+    """A violated guarantee of flownav-regress."""
 
 
 def scene(seed):
-    """The words for flownav-make-scene: with the seed, kind, floor and size take all their combinations."""
+    """Returns the arguments of flownav-make-scene; kind, floor and size follow from the seed and take all
+    combinations."""
     width, height = SIZES[seed // len(KINDS) % len(SIZES)]
     return [KINDS[seed % len(KINDS)], "--floor", FLOORS[seed % len(FLOORS)], "--width", width, "--height", height,
             "--images", IMAGES, "--seed", seed]  # fmt: skip
@@ -55,10 +56,10 @@ def render_all(program, folder, count):
 
 
 class Regress:
-    """flownav-regress on one manifest."""
+    """Runs flownav-regress on one manifest."""
 
     def __init__(self, build, output):
-        """With copies of the programs: a build that goes on meanwhile must not disturb."""
+        """Copies the programs, so that a concurrent build does not change them."""
         for name in ("regress", "replay"):
             shutil.copy(build / f"apps/{name}/flownav-{name}", output)
         self.program = output / "flownav-regress"
@@ -71,7 +72,7 @@ class Regress:
         return subprocess.Popen([self.program, "run", "--manifest", self.manifest, "--output", output, "--quiet"])
 
     def run(self, output):
-        """Seconds."""
+        """Runs to the end and returns the seconds."""
         begin = time.monotonic()
         status = self.start(output).wait(SECONDS_TO_RUN)
         if status != 0:
@@ -79,7 +80,7 @@ class Regress:
         return time.monotonic() - begin
 
     def run_until(self, output, wanted):
-        """Killed when so many rawlogs are done; seconds."""
+        """Kills the run when `wanted` rawlogs are done and returns the seconds."""
         begin = time.monotonic()
         process = self.start(output)
         try:
@@ -101,7 +102,7 @@ def done(output):
 
 
 def marks(output):
-    """By which a result that was made anew is told: inode and time of its folder and of every file in it."""
+    """Returns inode and time of the result folder and of every file in it, which detect a repeated result."""
     found = {}
     for identifier in done(output):
         folder = output / "done" / identifier
@@ -120,7 +121,7 @@ def refuse_redone(before, after):
 
 
 def contents(output):
-    """The bytes of all files that do not differ from run to run, by path."""
+    """Returns the bytes by path of all files that are the same in every run."""
     files = (path for path in output.rglob("*") if path.is_file() and path.name != DIFFERS_BETWEEN_RUNS)
     return {path.relative_to(output): path.read_bytes() for path in files}
 
@@ -146,7 +147,7 @@ def row(name, replayed, seconds, recorded_s):
 
 
 def run_killed(regress, output, moments, recorded_s):
-    """Replays all, killed at each moment; `recorded_s` of recording are in a rawlog."""
+    """Replays all rawlogs, killed at each moment; `recorded_s` is the recorded time of a rawlog."""
     before = {}
     for number, moment in enumerate([*moments, None], 1):
         seconds = regress.run(output) if moment is None else regress.run_until(output, moment)

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "flownav/math/units.h"
+
 namespace flownav::sensor_bench {
 namespace {
-
-constexpr double degree = M_PI / 180.0;
 
 std::string number(double value) {
     std::string text = std::to_string(value);
@@ -89,12 +89,12 @@ std::vector<Case> looks() {
 
 std::vector<Case> settings() {
     const std::vector<Settings> all = {{},
-                                       {{"motion.travel_m", "0.08"}, {"flow.blind_cone", "0.25"}},
+                                       {{"motion.travel_m", "0.08"}, {"flow.focus_exclusion", "0.25"}},
                                        {{"motion.travel_m", "0.08"}},
                                        {{"motion.travel_m", "0.12"}},
                                        {{"motion.travel_m", "0.2"}},
-                                       {{"flow.blind_cone", "0.25"}},
-                                       {{"flow.blind_cone", "0.06"}},
+                                       {{"flow.focus_exclusion", "0.25"}},
+                                       {{"flow.focus_exclusion", "0.06"}},
                                        {{"obstacles.neighbours", "1"}},
                                        {{"obstacles.neighbours", "3"}},
                                        {{"obstacles.tau_px", "2"}},
@@ -128,7 +128,7 @@ std::vector<Section> all_sections() {
 }
 
 Settings recommended_settings() {
-    return {{"motion.travel_m", "0.16"}, {"flow.blind_cone", "0.12"}};
+    return {{"motion.travel_m", "0.16"}, {"flow.focus_exclusion", "0.12"}};
 }
 
 sim::CameraSimParams to_simulator(const Candidate& candidate) {
@@ -136,11 +136,11 @@ sim::CameraSimParams to_simulator(const Candidate& candidate) {
     CameraModel& camera = params.camera;
     camera.width_px = candidate.width_px;
     camera.height_px = candidate.interlaced ? 2 * candidate.height_px : candidate.height_px;
-    camera.fx_px = camera.fy_px = candidate.width_px / 2.0 / std::tan(candidate.wide_deg / 2 * degree);
+    camera.fx_px = camera.fy_px = candidate.width_px / 2.0 / std::tan(candidate.wide_deg / 2 * degree_rad);
     camera.cx_px = (camera.width_px - 1) / 2.0;
     camera.cy_px = (camera.height_px - 1) / 2.0;
     camera.mount.height_m = candidate.height_m;
-    camera.mount.pitch_rad = candidate.pitch_deg * degree;
+    camera.mount.pitch_rad = candidate.pitch_deg * degree_rad;
     params.interlaced = candidate.interlaced;
     params.rate_hz = candidate.rate_hz;
     params.effects.noise_sigma = 2.0;

@@ -11,7 +11,7 @@ namespace flownav::sensor_bench {
 /// A camera on a robot.
 struct Candidate {
     int width_px = 640;
-    int height_px = 480;  ///< of an image: of a field when interlaced
+    int height_px = 480;  ///< height of an image; of a field when interlaced
     bool interlaced = false;
     double rate_hz = 25.0;
     double wide_deg = 90.0;
@@ -21,7 +21,7 @@ struct Candidate {
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-/// One row of the table: a camera, a drive, and settings on top of those of the page.
+/// One row of the table: a camera, a drive, and settings in addition to those of the page.
 struct Case {
     std::string name;
     Candidate camera;
@@ -35,10 +35,10 @@ struct Section {
     std::vector<Case> cases;
 };
 
-/// Every section varies one thing of the first case.
+/// Every section varies one parameter of the first case.
 std::vector<Section> all_sections();
 
-/// What post fields ask for, beside the default settings.
+/// Settings for post fields that differ from the defaults.
 Settings recommended_settings();
 
 sim::CameraSimParams to_simulator(const Candidate& camera);

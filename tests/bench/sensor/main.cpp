@@ -95,7 +95,7 @@ config::Config base_config(Arguments& arguments) {
     return config;
 }
 
-/// Cases that differ in settings only share their pictures.
+/// True when the cases differ in settings only and can share their images.
 bool same_pictures(const Section& section) {
     return section.name == "settings";
 }

@@ -13,9 +13,9 @@ using Eigen::Vector2d;
 constexpr double step_s = 0.001;
 constexpr double weave_rad = 0.6;  ///< largest heading to either side
 constexpr double alpha_radps2 = 6.0;
-constexpr double clear_m = 0.40;  ///< between the path and a post
-constexpr double beside_m = 3.0;  ///< of the path stand posts
-constexpr double beyond_m = 4.0;  ///< of its end, too
+constexpr double clear_m = 0.40;  ///< minimum distance between the path and a post
+constexpr double beside_m = 3.0;  ///< posts stand within this distance beside the path
+constexpr double beyond_m = 4.0;  ///< and beyond its end
 constexpr double posts_per_m2 = 0.9;
 constexpr double apart_m = 0.25;
 
@@ -24,7 +24,7 @@ struct Moment {
     double turn_radps = 0.0;
 };
 
-/// The drive in steps of 1 ms: turns one way until the heading is at its limit, then the other way.
+/// The drive in steps of 1 ms: turns one way until the heading reaches its limit, then the other way.
 std::vector<Moment> weave(const DriveOptions& options) {
     std::vector<Moment> moments;
     Moment now;

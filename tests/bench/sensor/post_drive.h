@@ -9,18 +9,18 @@
 
 namespace flownav::sensor_bench {
 
-/// How hard the posts are to see.
+/// Appearance of the posts, which determines how hard they are to see.
 enum class PostLook { Textured, LowTexture, Silhouette };
 const char* to_string(PostLook look);
 
-/// A drive that weaves through a field of posts: turns of a constant rate to either side, or straight.
+/// A drive through a field of posts: straight, or weaving with turns of a constant rate to either side.
 struct DriveOptions {
     double speed_mps = 0.8;
     double turn_radps = 0.3;
     double seconds = 12.0;
     PostLook look = PostLook::Textured;
     sim::Surface floor = sim::Surface::Carpet;
-    double post_height_m = 0.5;  ///< over the ground
+    double post_height_m = 0.5;  ///< above the ground
     std::uint64_t seed = 1;
 };
 
@@ -30,7 +30,7 @@ struct Post {
     double height_m = 0.5;
 };
 
-/// Image i was taken at poses[i] while the robot turned at turn_radps[i].
+/// A recorded drive; image i was taken at poses[i] with the turn rate turn_radps[i].
 struct RecordedDrive {
     DriveOptions options;
     CameraMount mount;
@@ -40,7 +40,7 @@ struct RecordedDrive {
     std::vector<Field> fields;
 };
 
-/// Plants the posts, drives and renders.
+/// Places the posts, drives and renders.
 RecordedDrive record(const DriveOptions& options, const sim::CameraSimParams& camera);
 
 }  // namespace flownav::sensor_bench

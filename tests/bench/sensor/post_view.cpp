@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 constexpr double border_px = 8.0;
 
-/// Level camera coordinates of a point in the robot's frame: x right, y down, z ahead along its axis.
+/// Transforms a point of the robot frame to the level camera: x right, y down, z ahead along its axis.
 Vector3d in_level_camera(const CameraMount& mount, const Vector3d& robot_m) {
     const Vector3d d = robot_m - Vector3d(mount.forward_m, mount.left_m, mount.height_m);
     const double c = std::cos(mount.pitch_rad);
@@ -29,7 +29,7 @@ bool in_image(const RayMapper& mapper, const Vector3d& robot_m) {
            pixel.y() < camera.height_px - 1 - border_px;
 }
 
-/// Whether a post stands between two points.
+/// True when a post stands between two points.
 bool hides(const Post& post, const Vector3d& eye_m, const Vector3d& at_m) {
     const Vector2d along = (at_m - eye_m).head<2>();
     const Vector2d to_post = post.at_m - eye_m.head<2>();

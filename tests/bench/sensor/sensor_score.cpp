@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "flownav/config/make_state.h"
+#include "flownav/math/units.h"
 #include "flownav/pipeline/pipeline.h"
 #include "post_view.h"
 
@@ -19,16 +20,16 @@ constexpr double far_m = 3.0;
 constexpr double in_view_share = 0.6;
 constexpr double false_m = 0.2;
 constexpr double gross_m = 0.4;
-constexpr double own_m = 0.35;  ///< points this near to a post say something about its range
+constexpr double own_m = 0.35;  ///< points within this distance of a post count for its range error
 constexpr double margin_rad = 0.012;
-constexpr double ahead_rad = 10.0 * M_PI / 180.0;
+constexpr double ahead_rad = 10.0 * degree_rad;
 constexpr int pass_cycles_min = 3;
 constexpr double steady_s = 0.25;
 
-/// One post coming by.
+/// One pass of a post.
 struct Pass {
     int cycles = 0;
-    int detected_at = 0;  ///< 0: not
+    int detected_at = 0;  ///< cycle of the first detection; 0: not detected
     int gap = 0;
     bool ahead = false;
 };
@@ -45,7 +46,7 @@ class Judge {
             const double dt = step.timestamp_s - drive_.fields[image - 1].timestamp_s;
             const double turn =
                 wrap_angle(drive_.poses[image].yaw_rad - drive_.poses[image - 1].yaw_rad) / dt;
-            score_.turn_error_degps.all.push_back((step.omega_radps - turn) * 180.0 / M_PI);
+            score_.turn_error_degps.all.push_back(deg(step.omega_radps - turn));
         }
         if (!step.end_of_cycle) return;
         ++score_.cycles;
@@ -62,7 +63,7 @@ class Judge {
     }
 
   private:
-    /// False for a point within four metres where nothing is.
+    /// Returns false for a point within four metres that is far from every post.
     bool take_point(const ObstaclePoint& point, std::size_t image, std::vector<bool>& hit) {
         const Vector2d in_robot = point.position_m.head<2>();
         const Vector2d at_m = transform(drive_.poses[image], in_robot);

@@ -3,10 +3,13 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "flownav/testing/random.h"
+#include "flownav/sim/random.h"
 
 namespace flownav::testing {
 namespace {
+
+using sim::HashRandom;
+using sim::mix;
 
 constexpr int slot_images = 18;  // every slot holds one step of the exposure, in its first third
 constexpr int steps_max = 2;     // up or down from the middle
@@ -14,7 +17,7 @@ constexpr int steps_max = 2;     // up or down from the middle
 /// Exposure held since the last step: a walk over the steps' powers that turns back at its ends.
 double stepped_exposure(const CameraEffects& effects, int i) {
     if (effects.exposure_step == 0.0) return 1.0;
-    Random random(mix(effects.seed, 0x6578706FU));
+    HashRandom random(mix(effects.seed, 0x6578706FU));
     int level = 0;
     for (int slot = 0; slot * slot_images <= i; ++slot) {
         const int at = slot * slot_images + static_cast<int>(random.uniform(0.0, slot_images / 3.0));
@@ -33,7 +36,7 @@ double lamps(const CameraEffects& effects, int i) {
 }  // namespace
 
 ImageEffects effects_of_image(const CameraEffects& effects, int i) {
-    Random random(mix(effects.seed, static_cast<std::uint64_t>(i)));
+    HashRandom random(mix(effects.seed, static_cast<std::uint64_t>(i)));
     ImageEffects image;
     image.gain = (1.0 + random.normal(effects.gain_sigma)) * stepped_exposure(effects, i) * lamps(effects, i);
     image.offset = random.normal(effects.offset_sigma);

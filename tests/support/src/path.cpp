@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
+#include "flownav/math/units.h"
+
 namespace flownav::testing {
 namespace {
-
-constexpr double degree = M_PI / 180.0;
 
 /// Share of the full turn rate, > 0 to the left: turns to the left and right of 1.5 s between straight pieces
 /// of 1 s, entered within 0.3 s.
@@ -44,7 +44,7 @@ double omega_radps(const SceneOptions& options, double time_s) {
         case SceneKind::Turns:
             return options.turn_radps * turning(time_s);
         case SceneKind::Corridor:
-            return 6.0 * degree * std::cos(2.0 * M_PI * time_s / 4.0);
+            return 6.0 * degree_rad * std::cos(2.0 * M_PI * time_s / 4.0);
         case SceneKind::Loop:
             return options.speed_mps * loop_curvature_per_m(options.speed_mps * time_s);
         default:

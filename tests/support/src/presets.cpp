@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flownav/math/units.h"
+
 namespace flownav::testing {
 namespace {
-
-constexpr double degree = M_PI / 180.0;
 
 void no_change(SceneOptions& /*options*/) {}
 
@@ -41,11 +41,11 @@ std::vector<Preset> floors() {
 std::vector<Preset> drives() {
     return {
         {"turns", "turns of 30 deg/s between straight pieces",
-         [](SceneOptions& o) { o.kind = SceneKind::Turns, o.turn_radps = 30.0 * degree; }},
+         [](SceneOptions& o) { o.kind = SceneKind::Turns, o.turn_radps = 30.0 * degree_rad; }},
         {"vibration015", "pitch vibration, 0.15 deg rms from image to image",
-         [](SceneOptions& o) { o.effects.pitch_vibration_rad = 0.15 * degree; }},
+         [](SceneOptions& o) { o.effects.pitch_vibration_rad = 0.15 * degree_rad; }},
         {"vibration03", "pitch vibration, 0.3 deg rms from image to image",
-         [](SceneOptions& o) { o.effects.pitch_vibration_rad = 0.3 * degree; }},
+         [](SceneOptions& o) { o.effects.pitch_vibration_rad = 0.3 * degree_rad; }},
         {"mover25", "a trolley 1.5 m wide crosses ahead at 0.25 m/s",
          [](SceneOptions& o) {
              with_mover(o, {0.25, 1.5, 1.6, 1.95});
@@ -55,7 +55,7 @@ std::vector<Preset> drives() {
              with_mover(o, {0.45, 2.3, 2.9, 2.4});
          }},
         {"near-obstacle", "boxes inside the ground window, 0.28 m beside the path",
-         [](SceneOptions& o) { o.near_boxes = true, o.turn_radps = 6.0 * degree; }},
+         [](SceneOptions& o) { o.near_boxes = true, o.turn_radps = 6.0 * degree_rad; }},
     };
 }
 
@@ -66,10 +66,11 @@ std::vector<Preset> cameras() {
         {"ahead", "camera 0.2 m ahead of the axis, turns of 30 deg/s",
          [](SceneOptions& o) {
              o.kind = SceneKind::Turns;
-             o.turn_radps = 30.0 * degree;
+             o.turn_radps = 30.0 * degree_rad;
              o.camera.mount.forward_m = 0.2;
          }},
-        {"roll", "camera tilted by 2 deg", [](SceneOptions& o) { o.camera.mount.roll_rad = 2.0 * degree; }},
+        {"roll", "camera tilted by 2 deg",
+         [](SceneOptions& o) { o.camera.mount.roll_rad = 2.0 * degree_rad; }},
         {"wide", "lens of 90 deg with k1 = -0.3, k2 = 0.1",
          [](SceneOptions& o) { o.camera = wide_camera(); }},
     };
@@ -95,7 +96,7 @@ SceneOptions common_preset(std::uint64_t seed) {
     options.kind = SceneKind::SCurve;
     options.seed = seed;
     options.images = 200;
-    options.turn_radps = 20.0 * degree;
+    options.turn_radps = 20.0 * degree_rad;
     options.rails = true;
     return options;
 }

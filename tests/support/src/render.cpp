@@ -5,38 +5,19 @@
 #include <functional>
 #include <stdexcept>
 
-#include "flownav/testing/random.h"
-#include "scene_painter.h"
+#include "flownav/sim/random.h"
+#include "flownav/sim/ray_caster.h"
 
 namespace flownav::testing {
 namespace {
 
-constexpr int tile_px = 16;
-
-std::vector<float> paint(const World& world, const View& view) {
-    const ScenePainter painter(world, view);
-    std::vector<float> light(static_cast<std::size_t>(painter.width()) *
-                             static_cast<std::size_t>(painter.height()));
-    const int columns = (painter.width() + tile_px - 1) / tile_px;
-    const int rows = (painter.height() + tile_px - 1) / tile_px;
-#pragma omp parallel for schedule(dynamic)
-    for (int tile = 0; tile < columns * rows; ++tile) {
-        const int u = tile % columns * tile_px;
-        const int v = tile / columns * tile_px;
-        painter.paint_tile(u, v, std::min(u + tile_px, painter.width()),
-                           std::min(v + tile_px, painter.height()), light);
-    }
-    return light;
-}
-
-std::vector<float> mean_light(const World& world, const std::vector<View>& views,
-                              const ImageEffects& effects) {
+cv::Mat1f mean_light(const World& world, const std::vector<View>& views, const ImageEffects& effects) {
     if (views.empty()) throw std::invalid_argument("an image needs at least one view");
-    std::vector<float> sum;
+    cv::Mat1f sum;
     for (View view : views) {
         view.camera = with_effects(view.camera, effects);
-        const std::vector<float> light = paint(world, view);
-        sum.resize(light.size());
+        const cv::Mat1f light = sim::cast_light(world, view);
+        if (sum.empty()) sum = cv::Mat1f(light.size(), 0.0F);
         std::transform(sum.begin(), sum.end(), light.begin(), sum.begin(), std::plus<>());
     }
     for (float& grey : sum) grey /= static_cast<float>(views.size());
@@ -69,16 +50,18 @@ GreyImage render(const World& world, const View& view, const ImageEffects& effec
 }
 
 GreyImage render(const World& world, const std::vector<View>& during_exposure, const ImageEffects& effects) {
-    const std::vector<float> light = mean_light(world, during_exposure, effects);
+    const cv::Mat1f light = mean_light(world, during_exposure, effects);
     const CameraModel& camera = during_exposure.front().camera;
     GreyImage image(camera.width_px, camera.height_px);
-    for (std::size_t i = 0; i < light.size(); ++i) {
-        const int u = static_cast<int>(i) % image.width_px;
-        const int v = static_cast<int>(i) / image.width_px;
-        const double noise = effects.noise_sigma * normal_of_bits(mix(effects.noise_seed, i));
-        const double falloff = vignette(camera, effects.vignetting, u, v);
-        const double grey = effects.gain * falloff * static_cast<double>(light[i]) + effects.offset + noise;
-        image.pixels[i] = digitise(grey, effects.grey_step);
+    std::uint64_t i = 0;
+    for (int v = 0; v < image.height_px; ++v) {
+        for (int u = 0; u < image.width_px; ++u, ++i) {
+            const double noise = effects.noise_sigma * sim::normal_of_bits(sim::mix(effects.noise_seed, i));
+            const double falloff = vignette(camera, effects.vignetting, u, v);
+            const double grey =
+                effects.gain * falloff * static_cast<double>(light(v, u)) + effects.offset + noise;
+            image.row(v)[u] = digitise(grey, effects.grey_step);
+        }
     }
     return image;
 }

@@ -4,10 +4,10 @@
 #include <memory>
 #include <stdexcept>
 
-#include "floor.h"
-#include "flownav/testing/random.h"
+#include "flownav/sim/random.h"
 #include "layout.h"
 #include "path.h"
+#include "ride.h"
 
 namespace flownav::testing {
 namespace {
@@ -93,6 +93,16 @@ const char* to_string(SceneKind kind) {
     return "";
 }
 
+std::optional<Surface> floor_surface(const std::string& name) {
+    if (name == "carpet") return Surface::Carpet;
+    if (name == "tiles") return Surface::Tiles;
+    if (name == "lino") return Surface::Lino;
+    if (name == "plain") return Surface::Plain;
+    if (name == "stoneware") return Surface::Stoneware;
+    if (name == "marbled") return Surface::Marbled;
+    return std::nullopt;
+}
+
 std::optional<SceneKind> scene_kind(const std::string& name) {
     for (const SceneKind kind : all_scene_kinds)
         if (name == to_string(kind)) return kind;
@@ -103,7 +113,7 @@ Scene make_scene(const SceneOptions& options) {
     check(options);
     Scene scene;
     scene.options = options;
-    scene.options.effects.seed = mix(options.seed, 11);
+    scene.options.effects.seed = sim::mix(options.seed, 11);
     scene.poses = make_path(options);
     scene.world = make_world(options, scene.poses);
     return scene;

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "flownav/sim/surface_texture.h"
+
 namespace flownav::testing {
 namespace {
 
@@ -49,21 +51,24 @@ void write_objects_csv(const Scene& scene, const std::filesystem::path& file) {
     std::string text =
         "type(0,\"box,1\",cylinder),cx,cy,z0,z1,half_x_or_radius,half_y,cos_yaw,sin_yaw,texture,shade,"
         "group\n";
-    for (const Primitive& p : scene.world.primitives) {
+    for (const Solid& solid : scene.world.solids) {
+        const Upright u = upright_of(solid);
+        const Look& look = solid.look;
         text += line("%.5f,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f\n",
-                     static_cast<double>(p.shape), p.centre_m.x(), p.centre_m.y(), p.z_low_m, p.z_high_m,
-                     p.half_x_m, p.half_y_m, std::cos(p.yaw_rad), std::sin(p.yaw_rad),
-                     static_cast<double>(p.texture.surface), p.texture.shade, static_cast<double>(p.object));
+                     static_cast<double>(u.shape), u.centre_m.x(), u.centre_m.y(), u.z_low_m, u.z_high_m,
+                     u.half_x_m, u.half_y_m, std::cos(u.yaw_rad), std::sin(u.yaw_rad),
+                     static_cast<double>(look.surface), look.grey / sim::usual_grey(look.surface),
+                     static_cast<double>(solid.object));
     }
     write_text(text, file);
 }
 
 void write_movers_csv(const Scene& scene, const std::filesystem::path& file) {
-    if (scene.world.primitives.empty() || scene.world.primitives.back().velocity_mps.isZero()) return;
+    if (scene.world.solids.empty() || scene.world.solids.back().script.empty()) return;
     std::string text = "x,y of the last object per frame\n";
     for (int i = 0; i < scene.images(); ++i) {
-        const Primitive mover = at_time(scene.world, scene.time_s(i)).primitives.back();
-        text += line("%.7f,%.7f\n", mover.centre_m.x(), mover.centre_m.y());
+        const Eigen::Vector3d at_m = pose_at(scene.world.solids.back(), scene.time_s(i)).translation();
+        text += line("%.7f,%.7f\n", at_m.x(), at_m.y());
     }
     write_text(text, file);
 }

@@ -12,7 +12,7 @@ std::filesystem::path with_suffix(const std::filesystem::path& basename, const s
 void write_ground_truth_csv(const Scene& scene, const std::filesystem::path& file);
 void write_objects_csv(const Scene& scene, const std::filesystem::path& file);
 
-/// Position per image of the last primitive, which is the one that moves; nothing when nothing moves.
+/// Position per image of the last solid, which is the one that moves; no file when it rests.
 void write_movers_csv(const Scene& scene, const std::filesystem::path& file);
 
 }  // namespace flownav::testing

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "flownav/testing/random.h"
+#include "flownav/sim/random.h"
 #include "tables.h"
 
 namespace flownav::testing {
@@ -108,7 +108,7 @@ void write_rawlog(const Scene& scene, const std::filesystem::path& file, const W
 }  // namespace
 
 std::vector<Pose2> make_odometry(const Scene& scene, const OdometryErrors& errors) {
-    Random random(mix(scene.options.seed, 13));
+    sim::HashRandom random(sim::mix(scene.options.seed, 13));
     std::vector<Pose2> odometry{scene.poses.front()};
     for (std::size_t i = 1; i < scene.poses.size(); ++i) {
         const EgoMotion motion = exact_motion(scene.poses[i - 1], scene.poses[i]);

@@ -1,5 +1,5 @@
-#include <flownav/replay/rawlog_reader.h>
-#include <flownav/sensor/config.h>
+#include <flownav/config/config.h>
+#include <flownav/io/rawlog_reader.h>
 
 #include <cstdio>
 

@@ -7,10 +7,10 @@
 
 namespace flownav::testing {
 
-/// A program that runs beside the test, without terminal and without input (stdin is closed).
+/// A program that runs beside the test, without a terminal and with closed standard input.
 class Child {
   public:
-    /// `file_bytes_max` limits the size of the files it writes, like a disk that is full; 0: no limit.
+    /// `file_bytes_max` limits the size of its files, to simulate a full disk; 0: no limit.
     Child(const std::string& program, const std::vector<std::string>& arguments, std::filesystem::path log,
           std::uint64_t file_bytes_max = 0);
     ~Child();
@@ -20,10 +20,10 @@ class Child {
     void signal(int number) const;
     bool running();
 
-    /// Waits for its end: the exit status, or minus the number of the signal that ended it.
+    /// Waits for its end. Returns the exit status, or minus the number of the signal that ended it.
     int wait();
 
-    std::string log() const;  ///< what it said so far
+    std::string log() const;  ///< output so far
 
   private:
     std::filesystem::path log_;

@@ -20,15 +20,15 @@ namespace fs = std::filesystem;
 using testing::Child;
 using testing::Sighting;
 
-/// One recording that is ended at a moment of its own.
+/// One recording that is ended at a random moment.
 struct Victim {
     fs::path journal, rawlog;
     std::unique_ptr<Child> child;
-    std::size_t moment = 0;        ///< ended when so many observations were made
-    std::int64_t ended_100ns = 0;  ///< the time then
+    std::size_t moment = 0;        ///< number of observations after which it is ended
+    std::int64_t ended_100ns = 0;  ///< time of its end
 };
 
-/// More of them on demand: FLOWNAV_GRAB_KILLS=20.
+/// Number of recordings; the environment variable FLOWNAV_GRAB_KILLS overrides it.
 int kills() {
     const char* number = std::getenv("FLOWNAV_GRAB_KILLS");
     return number == nullptr ? 4 : std::atoi(number);
@@ -46,7 +46,7 @@ std::vector<Victim> started(const fs::path& folder, unsigned seed, int first, in
         const std::string name = std::to_string(first + i);
         victim.journal = folder / (name + ".journal");
         victim.rawlog = folder / (name + ".rawlog");
-        victim.moment = 1 + random() % 250;  // about 1.7 s
+        victim.moment = 1 + random() % 250;  // at most about 1.7 s
         testing::write_text(folder / (name + ".ini"), testing::two_sensors(victim.journal));
         const std::vector<std::string> arguments = {folder / (name + ".ini"), "--output", victim.rawlog,
                                                     "--plugin", FLOWNAV_TEST_SENSOR};
@@ -55,7 +55,7 @@ std::vector<Victim> started(const fs::path& folder, unsigned seed, int first, in
     return victims;
 }
 
-/// Ends each one when it has got as far as its moment.
+/// Ends each recording when it has reached its moment.
 void end_all(std::vector<Victim>& victims, int signal) {
     for (std::size_t ended = 0; ended < victims.size();) {
         for (Victim& victim : victims) {
@@ -108,7 +108,7 @@ TEST(KilledGrab, SigkillLosesTheLastHalfSecondAtMost) {
         const auto journal = testing::journal_of(victim.journal);
         const auto lost = testing::missing(journal, contents.sightings);
         const bool empty_yet = contents.sightings.empty() && lost.size() == journal.size();
-        // The kernel may stop in the middle of its last write.
+        // A kill may interrupt the kernel's last write.
         const bool cut = contents.end.kind == io::ReadEnd::Kind::Truncated;
         cut_members += cut ? 1 : 0;
         EXPECT_TRUE(cut || empty_yet || contents.end.kind == io::ReadEnd::Kind::Clean)

@@ -21,7 +21,7 @@ using testing::contents_of;
 
 class GrabProgram : public ::testing::Test {
   protected:
-    /// One test sensor with more keys, besides its driver and journal.
+    /// Adds a test sensor with further keys after its driver and journal.
     void sensor(const std::string& keys) {
         std::ofstream(ini, std::ios::app)
             << "[ONE]\ndriver = CTestSensor\nprocess_rate = 200\njournal = " << journal.string() << '\n'
@@ -45,7 +45,7 @@ class GrabProgram : public ::testing::Test {
         EXPECT_NE(log().find(part), std::string::npos) << part << " is missing in\n" << log();
     }
 
-    /// Every noted observation is in the recording, which ends cleanly.
+    /// Expects every noted observation in the recording, which must end cleanly.
     void expect_complete() const {
         const Contents contents = contents_of(rawlog);
         EXPECT_EQ(contents.end.kind, io::ReadEnd::Kind::Clean) << contents.end.message;
@@ -273,7 +273,7 @@ TEST_F(GrabProgram, BadArgumentsEndWithOneAndWriteNothing) {
     }
 }
 
-// ---- others look at it
+// ---- other programs read the recording
 
 TEST_F(GrabProgram, AGrowingRecordingCanBeReadAtAnyMoment) {
     testing::write_text(ini, testing::two_sensors(journal));
@@ -302,7 +302,7 @@ TEST_F(GrabProgram, RawlogEditReadsWhatAKilledRecordingHolds) {
     child->signal(SIGKILL);
     EXPECT_EQ(child->wait(), -SIGKILL);
     const Contents contents = contents_of(rawlog);
-    // rawlog-edit misreads every file where its standard input is closed.
+    // rawlog-edit misreads files when its standard input is closed.
     const std::string command = R"(exec "$0" "$@" </dev/null)";
     EXPECT_EQ(
         Child("/bin/sh", {"-c", command, FLOWNAV_RAWLOG_EDIT, "-i", rawlog, "--info"}, folder / "log").wait(),

@@ -34,7 +34,7 @@ void CTestSensor::initialize() {
 void CTestSensor::doProcess() {
     if (turns_ == 0 || turn_ < turns_) return observe();
     if (then_ == "throw") {
-        observe();  // still to be saved
+        observe();  // must still be saved
         throw std::runtime_error("the cable was pulled");
     }
     if (then_ == "error") m_state = ssError;

@@ -5,8 +5,8 @@
 
 namespace flownav::testing {
 
-/// A sensor that does as it is told. Each turn it observes an odometry, labelled by its section, and when
-/// asked an image too. Before it hands them out it writes their label and time stamp into `journal`.
+/// A sensor controlled by its keys. Each turn it observes an odometry, labelled by its section, and on
+/// request an image. It writes their label and time stamp to `journal` before it hands them out.
 class CTestSensor : public mrpt::hwdrivers::CGenericSensor {
     DEFINE_GENERIC_SENSOR(CTestSensor)
 
@@ -24,10 +24,10 @@ class CTestSensor : public mrpt::hwdrivers::CGenericSensor {
 
     std::string section_;
     std::string journal_;
-    std::string then_;  ///< what happens after `turns`: nothing | throw | error | silence | hang | end
-    int turns_ = 0;     ///< 0: for ever
+    std::string then_;  ///< behaviour after `turns`: nothing | throw | error | silence | hang | end
+    int turns_ = 0;     ///< 0: no limit
     bool image_ = false;
-    double lag_s_ = 0.0;  ///< of the time stamps behind the clock
+    double lag_s_ = 0.0;  ///< delay of the time stamps behind the clock
     int turn_ = 0;
 };
 

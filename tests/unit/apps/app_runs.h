@@ -8,7 +8,7 @@
 
 namespace flownav::testing {
 
-/// What a program ended with and printed.
+/// Exit status and output of a program.
 struct Outcome {
     int status = 0;
     std::string out, error;
@@ -24,7 +24,7 @@ Outcome run_app(App app, const std::string& program, std::vector<std::string> ar
     return {status, out.str(), error.str()};
 }
 
-/// An empty folder for the running test, among those of its program.
+/// Creates an empty folder for the running test, below a folder named after the program.
 inline std::filesystem::path folder_of_test(const std::string& program) {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / program / test->name();

@@ -27,7 +27,7 @@ fs::path test_folder() {
     return testing::folder_of_test("flownav_calibrate_app");
 }
 
-/// A short drive, and where its calibration goes.
+/// A short drive and the path of its calibration.
 struct Case {
     fs::path folder = test_folder();
     fs::path rawlog = folder / "drive.rawlog";

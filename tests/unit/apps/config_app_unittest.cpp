@@ -70,6 +70,14 @@ TEST(ConfigApp, CheckNamesWhatIsWrongAndExitsWithOne) {
     EXPECT_NE(run({"--check", file.string()}).error.find("no such file"), std::string::npos);
 }
 
+TEST(ConfigApp, KeysChoosesBetweenTheEverydayKeysAndAll) {
+    using config::KeySet;
+    EXPECT_EQ(run({"--dump", "--keys", "everyday"}).out, dump_config(config::Config{}, KeySet::Everyday));
+    EXPECT_EQ(run({"--doc", "--keys", "everyday"}).out, config::document_config(KeySet::Everyday));
+    EXPECT_EQ(run({"--dump", "--keys", "all"}).out, run({"--dump"}).out);
+    EXPECT_LT(run({"--dump", "--keys", "everyday"}).out.size(), run({"--dump"}).out.size());
+}
+
 TEST(ConfigApp, DocIsTheTableOfKeys) {
     EXPECT_EQ(run({"--doc"}).out, config::document_config());
 }
@@ -83,8 +91,14 @@ TEST(ConfigApp, HelpAndVersionGoToStandardOutput) {
 }
 
 TEST(ConfigApp, WrongArgumentsExitWithOneAndPointToHelp) {
-    const std::vector<std::vector<std::string>> wrong = {
-        {}, {"--dump", "--doc"}, {"--check"}, {"--nonsense"}, {"file.ini"}, {"--dump", "--check", "a.ini"}};
+    const std::vector<std::vector<std::string>> wrong = {{},
+                                                         {"--dump", "--doc"},
+                                                         {"--check"},
+                                                         {"--nonsense"},
+                                                         {"file.ini"},
+                                                         {"--dump", "--check", "a.ini"},
+                                                         {"--dump", "--keys", "few"},
+                                                         {"--check", "a.ini", "--keys", "all"}};
     for (const auto& arguments : wrong) {
         const Outcome result = run(arguments);
         EXPECT_EQ(result.status, 1);

@@ -33,7 +33,7 @@ fs::path test_folder() {
 constexpr auto camera_ini =
     "[camera]\nfx_px = 60\nfy_px = 60\ncx_px = 31.5\ncy_px = 23.5\nheight_m = 0.5\npitch_deg = 10\n";
 
-/// A folder with pictures and C.ini.
+/// Creates a folder with pictures and C.ini.
 fs::path picture_folder() {
     const fs::path folder = test_folder();
     fs::create_directories(folder / "images");
@@ -169,7 +169,7 @@ TEST(ImportApp, KittiSequenceHasTheMotionOfTheCar) {
         const double dy = poses[i].pose.y - poses[i - 1].pose.y;
         EXPECT_GT(std::hypot(dx, dy), 0.4) << i;
         EXPECT_LT(std::hypot(dx, dy), 1.1) << i;
-        // A rear axle hardly slips sideways; the camera in front of it swings out by 0.02 m and more in the
+        // The rear axle hardly slips sideways; the camera ahead of it swings out by 0.02 m and more in the
         // bend.
         const double turn = poses[i].pose.yaw - poses[i - 1].pose.yaw;
         const double middle = poses[i - 1].pose.yaw + turn / 2;

@@ -9,9 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app_runs.h"
+#include "flownav/cli/exit_status.h"
 #include "flownav/core/version.h"
 #include "flownav/flow/kernel.h"
 #include "flownav/io/field_source.h"
+#include "flownav/math/units.h"
 #include "flownav/replay/replay.h"
 #include "flownav/sim/generate_world.h"
 #include "flownav/sim/sdf_world.h"
@@ -35,11 +37,11 @@ std::string text_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// A world with a ball 1 m to the left of the origin.
+/// Writes a world with a ball 1 m to the left of the origin.
 std::string small_world() {
     const fs::path file = fs::path(::testing::TempDir()) / "flownav_sim_app" / "small.world";
     if (fs::exists(file)) return file.string();
-    // Tests run side by side.
+    // Tests run in parallel: each writes a draft and renames it.
     const fs::path draft = testing::folder_of_test("flownav_sim_app_draft") / "small.world";
     fs::create_directories(file.parent_path());
     std::ofstream(draft)
@@ -141,9 +143,9 @@ TEST(SimApp, RecordsImagesOdometryAndTruthOfADrive) {
     EXPECT_NEAR(recorded.times_s[10] - recorded.times_s[0], 0.4, 1e-6);
     const CameraModel& camera = recorded.fields[0].camera;
     EXPECT_EQ(camera.width_px, 160);
-    EXPECT_NEAR(camera.fx_px, 80.0 / std::tan(27.5 * M_PI / 180.0), 1e-6);
+    EXPECT_NEAR(camera.fx_px, 80.0 / std::tan(27.5 * degree_rad), 1e-6);
     EXPECT_NEAR(camera.mount.height_m, 0.9, 1e-9);
-    EXPECT_NEAR(camera.mount.pitch_rad, 25.0 * M_PI / 180.0, 1e-9);
+    EXPECT_NEAR(camera.mount.pitch_rad, 25.0 * degree_rad, 1e-9);
     const auto& first = recorded.truth.front().pose;
     const auto& last = recorded.truth.back().pose;
     EXPECT_NEAR(std::hypot(last.x - first.x, last.y - first.y), 0.4, 2e-3);
@@ -161,7 +163,7 @@ TEST(SimApp, AReplayOfTheRecordingComesNearTheTruth) {
     replay::ReplayOptions options;
     options.input = drive;
     options.output = folder / "result";
-    ASSERT_EQ(replay::replay(options).status, replay::ExitStatus::Fine);
+    ASSERT_EQ(replay::replay(options).status, cli::ExitStatus::Fine);
     const auto errors = nlohmann::json::parse(text_of(folder / "result" / "summary.json"))["errors"];
     const auto& truth = errors["ground_truth"];
     EXPECT_LT(truth["omega_cycle_rms_degps"].get<double>(), 0.12);
@@ -169,7 +171,7 @@ TEST(SimApp, AReplayOfTheRecordingComesNearTheTruth) {
     EXPECT_LT(truth["end_position_percent"].get<double>(), 1.0);
     EXPECT_LT(std::abs(truth["heading_end_deg"].get<double>()), 0.5);
     EXPECT_EQ(truth["t_measured_percent"].get<double>(), 100.0);
-    // The wheels measure 0.6 % too much.
+    // The wheel odometry overestimates the distance by 0.6 %.
     EXPECT_NEAR(errors["odometry"]["v_bias_percent"].get<double>() - truth["v_bias_percent"].get<double>(),
                 -0.6, 0.4);
 }

@@ -34,7 +34,7 @@ class ConfigFile : public ::testing::Test {
         return config;
     }
 
-    /// What is said about the text, behind the folder's name.
+    /// Error message of the text, without the folder's name.
     std::string error_of(const std::string& text) const {
         try {
             load(text);

@@ -35,9 +35,9 @@ Drive turning_drive() {
 }
 
 struct Outcome {
-    std::vector<FlowVector> vectors;  ///< of the last field
-    double worst_omega_radps = 0.0;   ///< error
-    int ok = 0;                       ///< fields
+    std::vector<FlowVector> vectors;  ///< vectors of the last field
+    double worst_omega_radps = 0.0;   ///< largest error
+    int ok = 0;                       ///< number of fields
 };
 
 Outcome drive_through(pipeline::State state, const Drive& drive) {
@@ -75,10 +75,13 @@ TEST(MakeState, TheKeySelectsTheMatcherAndBothMeasureTheTurn) {
     }
 }
 
-TEST(MakeState, APipelineThatIsToldLkButNotGivenItSaysSo) {
+TEST(MakeState, APipelineOfAnUnknownMatcherIsRefused) {
     pipeline::Params params;
-    params.flow.matcher = flow::MatcherKind::Lk;
+    params.flow.matcher = "ssd";
     EXPECT_THROW(pipeline::State{params}, std::invalid_argument);
+    Config config;
+    config.pipeline = params;
+    EXPECT_THROW(make_state(config), std::invalid_argument);
 }
 
 }  // namespace

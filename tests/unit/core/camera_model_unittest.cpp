@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "flownav/core/plane_geometry.h"
+#include "flownav/math/units.h"
 #include "flownav/testing/camera.h"
 
 namespace flownav {
@@ -15,8 +16,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-constexpr double degree = M_PI / 180.0;
 
 CameraModel barrel_camera() {
     CameraModel camera = testing::standard_camera();
@@ -26,12 +25,12 @@ CameraModel barrel_camera() {
 
 CameraModel tilted_camera() {
     CameraModel camera = barrel_camera();
-    camera.mount.roll_rad = 4.0 * degree;
-    camera.mount.yaw_rad = -7.0 * degree;
+    camera.mount.roll_rad = 4.0 * degree_rad;
+    camera.mount.yaw_rad = -7.0 * degree_rad;
     return camera;
 }
 
-/// Pixels on a grid over the whole image, its border included.
+/// Pixels on a grid over the whole image, including its border.
 std::vector<Vector2d> grid_px(const CameraModel& camera) {
     std::vector<Vector2d> pixels;
     constexpr int steps = 8;
@@ -42,7 +41,7 @@ std::vector<Vector2d> grid_px(const CameraModel& camera) {
     return pixels;
 }
 
-/// Pinhole projection of a point of the robot frame, with the axes of the camera turned one by one.
+/// Pinhole projection of a point of the robot frame by explicit rotations about each axis of the camera.
 Vector2d project_pinhole(const CameraModel& camera, const Vector3d& point_m) {
     const CameraMount& m = camera.mount;
     Eigen::Matrix3d axes;  // columns: right, down, forward
@@ -89,8 +88,8 @@ TEST(RayMapper, AgreesWithOpenCvOnTheLens) {
 
 TEST(RayMapper, LevelRayIsWhatTheCameraWithoutRollAndYawWouldSee) {
     CameraModel tilted = testing::standard_camera();
-    tilted.mount.roll_rad = 5.0 * degree;
-    tilted.mount.yaw_rad = -8.0 * degree;
+    tilted.mount.roll_rad = 5.0 * degree_rad;
+    tilted.mount.yaw_rad = -8.0 * degree_rad;
     const CameraModel level = testing::standard_camera();
     const RayMapper mapper(tilted);
     for (const Vector3d& p : {Vector3d(2, 0.5, 0), Vector3d(4, -1, 0.3), Vector3d(1.2, 0, 1.1)}) {
@@ -101,7 +100,7 @@ TEST(RayMapper, LevelRayIsWhatTheCameraWithoutRollAndYawWouldSee) {
 
 TEST(RayMapper, PositiveYawLooksLeftSoStraightAheadIsRightOfTheMiddle) {
     CameraModel camera = testing::standard_camera();
-    camera.mount.yaw_rad = 5.0 * degree;
+    camera.mount.yaw_rad = 5.0 * degree_rad;
     const RayMapper mapper(camera);
     EXPECT_GT(mapper.pixel({0, 0}).x(), camera.cx_px + 20);
     EXPECT_LT(mapper.ray({camera.cx_px, camera.cy_px}).x(), -0.05);
@@ -109,7 +108,7 @@ TEST(RayMapper, PositiveYawLooksLeftSoStraightAheadIsRightOfTheMiddle) {
 
 TEST(RayMapper, PositiveRollTiltsToTheRightSoTheRightSideLooksDeeper) {
     CameraModel camera = testing::standard_camera();
-    camera.mount.roll_rad = 5.0 * degree;
+    camera.mount.roll_rad = 5.0 * degree_rad;
     const RayMapper mapper(camera);
     EXPECT_GT(mapper.ray({camera.cx_px + 200, camera.cy_px}).y(), 0.01);
     EXPECT_LT(mapper.ray({camera.cx_px - 200, camera.cy_px}).y(), -0.01);

@@ -4,21 +4,21 @@
 
 #include <cmath>
 
+#include "flownav/math/units.h"
+
 namespace flownav {
 namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double degree = M_PI / 180.0;
-
 PlaneGeometry plane_25_degrees_down() {
     CameraMount mount;
-    mount.pitch_rad = 25 * degree;
+    mount.pitch_rad = 25 * degree_rad;
     return PlaneGeometry(mount);
 }
 
-/// A direction seen before and after a turn about the vertical, > 0 to the left.
+/// A direction before and after a turn about the vertical, > 0 to the left.
 RayFlow turned(const PlaneGeometry& plane, const Vector2d& before, double omega_rad) {
     const Vector3d up(0.0, -plane.a, -plane.b);
     const Vector2d after = (Eigen::AngleAxisd(-omega_rad, up) * Vector3d(before.homogeneous())).hnormalized();
@@ -27,7 +27,7 @@ RayFlow turned(const PlaneGeometry& plane, const Vector2d& before, double omega_
 
 TEST(Derotation, OfAPureTurnLeavesNothingHoweverLargeItIs) {
     const PlaneGeometry plane = plane_25_degrees_down();
-    for (const double omega_rad : {-20 * degree, -2 * degree, 2 * degree, 20 * degree}) {
+    for (const double omega_rad : {-20 * degree_rad, -2 * degree_rad, 2 * degree_rad, 20 * degree_rad}) {
         const Derotation derotated(plane, omega_rad, 0.0, Geometry::MidPoint);
         for (const Vector2d& at : {Vector2d(0.0, 0.0), Vector2d(0.4, -0.3), Vector2d(-0.3, 0.35)})
             EXPECT_LT(derotated(turned(plane, at, omega_rad)).flow.norm(), 1e-12);
@@ -35,11 +35,11 @@ TEST(Derotation, OfAPureTurnLeavesNothingHoweverLargeItIs) {
 }
 
 TEST(Derotation, ALeftTurnMovesThePictureToTheRight) {
-    EXPECT_GT(turned(plane_25_degrees_down(), {0, 0}, 1 * degree).flow.x(), 0.0);
+    EXPECT_GT(turned(plane_25_degrees_down(), {0, 0}, 1 * degree_rad).flow.x(), 0.0);
 }
 
 TEST(Derotation, OfAPurePitchLeavesNothing) {
-    const double pitch_rad = 1 * degree;  // raises the view: the picture moves down
+    const double pitch_rad = 1 * degree_rad;  // raises the view: the picture moves down
     const Vector2d before(0.2, 0.1);
     const Vector2d after =
         (Eigen::AngleAxisd(-pitch_rad, Vector3d::UnitX()) * Vector3d(before.homogeneous())).hnormalized();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "flownav/math/units.h"
 #include "flownav/testing/camera.h"
 #include "flownav/testing/truth.h"
 
@@ -13,10 +14,9 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using testing::View;
+using sim::View;
 
-constexpr double degree = M_PI / 180.0;
-constexpr double step = 1e-6;  // of the numeric derivatives, m or rad
+constexpr double step = 1e-6;  // step of the numeric derivatives, m or rad
 const std::vector<Vector2d> places = {{0.3, 0.2}, {-0.4, 0.1}, {0.05, -0.3}, {-0.2, -0.44}};
 
 /// A camera whose pixels are normalised coordinates, so that projecting gives level rays.
@@ -27,7 +27,7 @@ CameraModel unit_camera() {
     return camera;
 }
 
-/// The point at depth Z that `at` looks at, in the frame of the robot.
+/// The point at `depth_m` on the ray through `at`, in the robot frame.
 Vector3d point_at(const CameraModel& camera, const Vector2d& at, double depth_m) {
     const double a = std::cos(camera.mount.pitch_rad);
     const double b = std::sin(camera.mount.pitch_rad);
@@ -36,12 +36,12 @@ Vector3d point_at(const CameraModel& camera, const Vector2d& at, double depth_m)
            depth_m * (at.x() * right + at.y() * down + forward);
 }
 
-/// How fast a fixed point runs over the image while the view changes from `before` to `after`, 2 steps away.
+/// Image velocity of a fixed point per step, by the difference of two views that are 2 steps apart.
 Vector2d derivative(const View& before, const View& after, const Vector3d& point_m) {
     return (*testing::project(after, point_m) - *testing::project(before, point_m)) / (2 * step);
 }
 
-/// The same for a robot that moves by `motion` per step.
+/// Image velocity for a robot that moves by `motion` per step.
 Vector2d flow_of_robot(const CameraModel& camera, const Pose2& motion, const Vector2d& at, double depth_m) {
     const auto pose = [&](double s) { return Pose2{s * motion.x_m, s * motion.y_m, s * motion.yaw_rad}; };
     return derivative({camera, pose(-step), 0.0}, {camera, pose(step), 0.0}, point_at(camera, at, depth_m));
@@ -116,7 +116,7 @@ TEST(PlaneGeometry, RaisingTheViewMovesThePictureDown) {
 
 TEST(PlaneGeometry, FocusOfExpansionLiesStraightAheadOnTheHorizon) {
     CameraMount mount;
-    mount.pitch_rad = 25.0 * degree;
+    mount.pitch_rad = 25.0 * degree_rad;
     const Vector2d focus(0.0, -std::tan(mount.pitch_rad));
     EXPECT_NEAR(PlaneGeometry(mount).e(focus).norm(), 0.0, 1e-15);
     EXPECT_NEAR(PlaneGeometry(mount).below_horizon(focus), 0.0, 1e-15);

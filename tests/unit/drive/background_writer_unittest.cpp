@@ -26,7 +26,7 @@ TEST(BackgroundWriter, TakesNoMoreThanMayWait) {
         begun.set_value();
         go.get_future().wait();
     });
-    begun.get_future().wait();  // this one waits no more
+    begun.get_future().wait();  // the first job is running and no longer waits
     EXPECT_TRUE(writer.push_if_fewer([] {}, 2));
     EXPECT_TRUE(writer.push_if_fewer([] {}, 2));
     EXPECT_FALSE(writer.push_if_fewer([] {}, 2));

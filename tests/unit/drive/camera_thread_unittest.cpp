@@ -22,7 +22,7 @@ io::ProducerSettings three_images() {
                              "\nleft_format = image_%03d.png\nrate_hz = 50\n" + calibration_lines);
 }
 
-/// What the feed says in the end.
+/// Waits for the end of the feed and returns its message.
 std::string end_of(CameraThread& camera) {
     while (camera.end().empty()) std::this_thread::yield();
     return camera.end();

@@ -38,7 +38,7 @@ TEST(DriveRecorder, WritesFieldsAndPosesThatCanBeReadAgain) {
     io::RawlogReader reader(folder / "run.rawlog");
     io::FieldSource source(reader, {});
     while (source.next()) {
-        // All of them.
+        // Reads all events.
     }
     EXPECT_EQ(source.counts().fields, 5U);
     EXPECT_EQ(source.counts().odometry, 5U);

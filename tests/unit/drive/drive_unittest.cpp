@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// A clock that only moves when somebody waits.
+/// A clock that advances in wait_until_s() only.
 class VirtualClock : public Clock {
   public:
     double now_s() const override { return now_s_; }
@@ -24,7 +24,7 @@ class VirtualClock : public Clock {
     double now_s_ = 100.0;
 };
 
-/// A robot that does what it is told, in no world at all.
+/// A robot that follows its commands exactly, without a world.
 class IdealBase : public nav::RobotBase {
   public:
     IdealBase(const RobotModel& robot, const VirtualClock& clock) : vehicle_(robot, {}), clock_(clock) {}
@@ -50,7 +50,7 @@ class IdealBase : public nav::RobotBase {
 
     double lost_at_s = 1e9;
     double nonsense_from_s = 1e9;
-    double future_at_s = 1e9;  ///< one reading
+    double future_at_s = 1e9;  ///< time at which one reading has a future time stamp
     std::atomic<int> stops{0};
 
   private:
@@ -59,7 +59,7 @@ class IdealBase : public nav::RobotBase {
     const VirtualClock& clock_;
 };
 
-/// Sees free ground all around, ten times a second, until it ends.
+/// Reports free ground all around, ten times a second, until it ends.
 class FreeGround : public SensorFeed {
   public:
     explicit FreeGround(const VirtualClock& clock) : clock_(clock) {}
@@ -69,7 +69,7 @@ class FreeGround : public SensorFeed {
         next_s_ = clock_.now_s() + 0.1;
         nav::SensorUpdate update;
         update.by_camera = false;
-        update.report.timestamp_s = clock_.now_s();
+        update.report.timestamp_s = clock_.now_s() + ahead_s;
         if (clock_.now_s() > future_at_s) {
             update.report.timestamp_s += 1000.0;
             future_at_s = 1e9;
@@ -82,7 +82,8 @@ class FreeGround : public SensorFeed {
 
     double blind_at_s = 1e9;
     double ends_at_s = 1e9;
-    double future_at_s = 1e9;  ///< one scan
+    double future_at_s = 1e9;  ///< time at which one scan has a future time stamp
+    double ahead_s = 0.0;  ///< of every time stamp
 
   private:
     const VirtualClock& clock_;
@@ -94,7 +95,7 @@ class RobotDrive : public ::testing::Test {
   protected:
     RobotDrive() : base_(options_.config.navigation.robot, clock_), feed_(clock_) {
         options_.goals_m = {{2.0, 0.5}};
-        options_.guard.needs_fields = false;
+        options_.config.guard.needs_fields = false;
         options_.timeout_s = 60.0;
     }
 
@@ -118,7 +119,7 @@ TEST_F(RobotDrive, ReachesItsGoalAndIsToldToStop) {
 
 TEST_F(RobotDrive, AGoalIsInTheFrameOfTheStart) {
     options_.start = {10.0, 5.0, M_PI / 2};
-    options_.goals_m = {{9.5, 7.0}};  // the same place as seen from there
+    options_.goals_m = {{9.5, 7.0}};  // the goal of the fixture, relative to this start
     EXPECT_EQ(run().outcome, Outcome::Reached);
     EXPECT_NEAR(base_.vehicle().pose().x_m, 2.0, 0.35);
     EXPECT_NEAR(base_.vehicle().pose().y_m, 0.5, 0.35);
@@ -131,6 +132,25 @@ TEST_F(RobotDrive, ASensorThatFallsSilentStopsTheRobotUntilTheTimeIsOver) {
     EXPECT_EQ(base_.vehicle().motion().v_mps, 0.0);
     ASSERT_FALSE(result.stops.empty());
     EXPECT_EQ(result.stops.back().reason, nav::GuardReason::SensorStale);
+}
+
+TEST_F(RobotDrive, TheGuardsKeysReachTheGuard) {
+    config::set_config_value(options_.config, "guard.map_stale_s", "0.1");
+    options_.timeout_s = 2.0;
+    feed_.blind_at_s = 100.5;
+    const DriveResult result = run();
+    ASSERT_FALSE(result.stops.empty());
+    EXPECT_EQ(result.stops.back().reason, nav::GuardReason::SensorStale);
+    EXPECT_LT(result.stops.back().time_s, 0.8);  // 1.5 s later with the default
+}
+
+TEST_F(RobotDrive, TheKeyOfTimeStampsInTheFutureHoldsForScans) {
+    options_.timeout_s = 3.0;
+    feed_.ahead_s = 2.0;
+    config::set_config_value(options_.config, "guard.future_max_s", "1");
+    EXPECT_EQ(run().path_m, 0.0);
+    config::set_config_value(options_.config, "guard.future_max_s", "5");
+    EXPECT_GT(run().path_m, 0.1);
 }
 
 TEST_F(RobotDrive, ACameraThatEndsEndsTheDrive) {
@@ -147,7 +167,7 @@ TEST_F(RobotDrive, ALostBaseEndsTheDriveAndIsStillToldToStop) {
     const DriveResult result = run();
     EXPECT_EQ(result.outcome, Outcome::Lost);
     EXPECT_EQ(result.why, "the base is lost");
-    EXPECT_GT(result.samples.size(), 40U);  // what came before is kept
+    EXPECT_GT(result.samples.size(), 40U);  // earlier samples are kept
     EXPECT_EQ(base_.stops, 1);
 }
 

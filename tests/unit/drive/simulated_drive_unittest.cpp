@@ -15,7 +15,7 @@ sim::Solid post(double x_m, double y_m) {
     return solid;
 }
 
-/// Three metres straight ahead, round a post; the lidar sees.
+/// A drive of three metres straight ahead, past a post, with the lidar.
 SimulatedDriveOptions round_a_post() {
     SimulatedDriveOptions options;
     options.world.solids = {post(1.6, 0.05)};
@@ -36,9 +36,9 @@ DriveResult drive(const SimulatedDriveOptions& options) {
 }
 
 TEST(SimulatedDrive, RoundsAPostWithEitherNavigator) {
-    for (const NavigatorKind kind : {NavigatorKind::Lanes, NavigatorKind::Reactive}) {
+    for (const char* name : {"lanes", "reactive"}) {
         SimulatedDriveOptions options = round_a_post();
-        options.config.navigation.navigator = kind;
+        options.config.navigation.navigator = name;
         const DriveResult result = drive(options);
         EXPECT_EQ(result.outcome, Outcome::Reached) << result.why;
         EXPECT_GT(result.min_clearance_m, 0.03);
@@ -81,7 +81,7 @@ TEST(SimulatedDrive, WhatFallsOnTheRobotIsACollision) {
     mover.script = {from, to};
     options.world.solids.push_back(mover);
     options.goals_m = {{0.0, -20.0}};
-    // It cannot get out of the way.
+    // The robot does not move out of the way.
     options.navigator = [](double, const MotionCommand&) { return std::nullopt; };
     const DriveResult result = drive(options);
     EXPECT_EQ(result.outcome, Outcome::Collision);

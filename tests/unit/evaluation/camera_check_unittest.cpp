@@ -2,13 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "flownav/math/units.h"
 #include "flownav/pipeline/pipeline.h"
 #include "flownav/testing/scene.h"
 
 namespace flownav::evaluation {
 namespace {
-
-constexpr double deg = M_PI / 180;
 
 /// What the checker says of a drive that is seen with a wrong mount.
 CameraCheck check_of(double pitch_error_deg, double height_factor, double odometry_factor = 1.0) {
@@ -26,7 +25,7 @@ CameraCheck check_of(double pitch_error_deg, double height_factor, double odomet
     PoseTrack odometry;
     for (int i = 0; i < scene.images(); ++i) {
         Field field = testing::make_field(scene, i);
-        field.camera.mount.pitch_rad += pitch_error_deg * deg;
+        field.camera.mount.pitch_rad += pitch_error_deg * degree_rad;
         field.camera.mount.height_m *= height_factor;
         checker.take(field, pipeline::step(state, field));
         const Pose2 pose = scene.poses[static_cast<std::size_t>(i)];
@@ -41,7 +40,7 @@ TEST(CameraCheck, ARightPoseIsConsistent) {
     const CameraCheck check = check_of(0.0, 1.0);
     EXPECT_STREQ(check.verdict, "consistent");
     EXPECT_TRUE(check.warnings.empty());
-    EXPECT_LT(std::abs(check.angles.correction_rad[0]), 0.5 * deg);
+    EXPECT_LT(std::abs(check.angles.correction_rad[0]), 0.5 * degree_rad);
     ASSERT_TRUE(check.scale);
     EXPECT_NEAR(check.scale->ratio, 1.0, 0.02);
 }
@@ -49,7 +48,7 @@ TEST(CameraCheck, ARightPoseIsConsistent) {
 TEST(CameraCheck, APitchThatIsFiveDegreesOffIsReportedWithTheRightOne) {
     const CameraCheck check = check_of(5.0, 1.0);
     EXPECT_STREQ(check.verdict, "pose_contradicts_flow");
-    EXPECT_NEAR(check.angles.correction_rad[0], -5.0 * deg, 1.0 * deg);
+    EXPECT_NEAR(check.angles.correction_rad[0], -5.0 * degree_rad, 1.0 * degree_rad);
     ASSERT_EQ(check.warnings.size(), 1U);
     EXPECT_NE(check.warnings.front().find("camera.pitch_deg = 30.00"), std::string::npos);
     EXPECT_NE(check.warnings.front().find("flownav-calibrate"), std::string::npos);
@@ -66,7 +65,7 @@ TEST(CameraCheck, AHeightThatContradictsTheOdometryIsReportedWithTheRightOne) {
 
 TEST(CameraCheck, AHundredTimesTooHighLooksLikeCentimetres) {
     const CameraCheck check = check_of(0.0, 1.0, 0.01);
-    ASSERT_FALSE(check.scale);  // odometry this slow is no driving
+    ASSERT_FALSE(check.scale);  // too slow to count as driving
     const CameraCheck far = check_of(0.0, 20.0, 0.2);
     ASSERT_EQ(far.warnings.size(), 1U);
     EXPECT_NE(far.warnings.front().find("centimetres"), std::string::npos) << far.warnings.front();

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "flownav/math/units.h"
 #include "step_samples.h"
 
 namespace flownav::evaluation {
@@ -11,7 +12,7 @@ namespace {
 
 constexpr int fields = 101;
 
-/// A recorded track with these rates, sampled at the fields and seen from another frame.
+/// A recorded track with these rates, sampled at the fields, in another frame.
 PoseTrack track_of(double omega_radps, double v_mps, int samples = fields) {
     const Pose2 T_world_start = {10.0, -5.0, 2.5};
     PoseTrack track;
@@ -36,7 +37,7 @@ TEST(Metrics, TheTruthItselfHasNoErrors) {
     EXPECT_NEAR(errors.path_m.value(), 100 * 0.4 * testing::period_s, 1e-9);
     EXPECT_NEAR(errors.omega_rms_degps.value(), 0.0, 1e-6);
     EXPECT_NEAR(errors.omega_cycle_rms_degps.value(), 0.0, 1e-6);
-    // The chord of a cycle is shorter than the sum of its four chords by (omega dt)^2 times a small number.
+    // The chord of a cycle is shorter than the sum of its four chords by a term in (omega dt)^2.
     EXPECT_NEAR(errors.v_bias_percent.value(), 0.0, 0.01);
     EXPECT_NEAR(errors.v_sd_percent.value(), 0.0, 1e-6);
     EXPECT_NEAR(errors.t_measured_percent.value(), 100.0, 1e-9);
@@ -46,7 +47,7 @@ TEST(Metrics, TheTruthItselfHasNoErrors) {
 
 TEST(Metrics, AConstantErrorOfTheTurnRateIsItsRmsAndAddsUpInTheHeading) {
     const Errors errors = compare(rows_of(0.2 + 0.01, 0.4), track_of(0.2, 0.4));
-    const double error_degps = 0.01 * 180 / M_PI;
+    const double error_degps = deg(0.01);
     EXPECT_NEAR(errors.omega_rms_degps.value(), error_degps, 1e-6);
     EXPECT_NEAR(errors.omega_cycle_rms_degps.value(), error_degps, 1e-6);
     EXPECT_NEAR(errors.heading_end_deg.value(), error_degps * 4.0, 1e-6);
@@ -57,8 +58,8 @@ TEST(Metrics, AnAlternatingErrorOfTheTurnRateVanishesOverACycle) {
     auto rows = rows_of(0.2, 0.4);
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].omega_radps += i % 2 == 0 ? 0.01 : -0.01;
     const Errors errors = compare(rows, track_of(0.2, 0.4));
-    EXPECT_NEAR(errors.omega_rms_degps.value(), 0.01 * 180 / M_PI, 1e-6);
-    // Of the cycle in which settling ends only two fields count, and they cancel too.
+    EXPECT_NEAR(errors.omega_rms_degps.value(), deg(0.01), 1e-6);
+    // Two fields count of the cycle in which settling ends; their errors cancel too.
     EXPECT_NEAR(errors.omega_cycle_rms_degps.value(), 0.0, 1e-6);
 }
 

@@ -2,7 +2,7 @@
 
 #include "real_data.h"
 
-/// The chain on public recordings, where they are there.
+/// Runs the chain on public recordings; skipped when they are missing.
 namespace flownav::fidelity {
 namespace {
 

@@ -1,4 +1,4 @@
-// Whatever positions, sizes and predictions it is given, no matcher reads outside an image.
+// No matcher reads outside an image, for any positions, sizes and predictions.
 #include "flownav/flow/block_bounds.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr int size_px = 64;  // a page of pixels
 
-/// Whole pages of noise: the first pixel and the last lie beside memory that must not be touched.
+/// Whole pages of noise between guard pages: reads before the first or after the last pixel crash.
 struct Picture {
     Picture() {
         std::uint32_t state = 1;
@@ -29,7 +29,7 @@ struct Picture {
     testing::GuardedMemory memory{1};
 };
 
-/// Blocks at corners of the caller's choice.
+/// A layout with blocks at these corners.
 BlockLayout layout_of(const std::vector<Eigen::Vector2i>& corners_px) {
     BlockLayout layout;
     layout.corner_px = corners_px;
@@ -72,7 +72,7 @@ TEST_P(BlockBounds, PredictionsFarOutsideFindNoWindow) {
 TEST_P(BlockBounds, BlocksOutsideTheReferenceAreNotMatched) {
     const std::vector<Eigen::Vector2i> corners = {{-1, 0},  {0, -1},  {49, 0},          {0, 49},
                                                   {-99, 3}, {3, 990}, {2000000000, 10}, {10, -2000000000}};
-    // The window of each lies inside the newer image.
+    // Predictions that keep every window inside the newer image.
     std::vector<Eigen::Vector2d> predicted;
     for (const Eigen::Vector2i& corner : corners)
         predicted.emplace_back(Eigen::Vector2d(20, 20) - corner.cast<double>());

@@ -12,7 +12,7 @@ namespace {
 
 using testing::GreyImage;
 
-/// Two images of a drive over a carpet; the second one was exposed differently.
+/// Two images of a drive over a carpet with different exposure.
 struct Exposed {
     testing::Scene scene = testing::make_scene(testing::SceneKind::Free, 7);
     GreyImage first, second;
@@ -22,11 +22,11 @@ struct Exposed {
     explicit Exposed(const Brightness& change) {
         testing::ImageEffects effects;
         effects.noise_sigma = 2.5;
-        first = render(scene.world, testing::nominal_view(scene, 0), effects);
+        first = testing::render(scene.world, testing::nominal_view(scene, 0), effects);
         effects.noise_seed = 1;
         effects.gain = change.gain;
         effects.offset = change.offset;
-        second = render(scene.world, testing::nominal_view(scene, 1), effects);
+        second = testing::render(scene.world, testing::nominal_view(scene, 1), effects);
     }
 
     Brightness compared() const {
@@ -35,7 +35,7 @@ struct Exposed {
                                   std::vector<Eigen::Vector2i>(layout.size(), Eigen::Vector2i::Zero()), sums);
     }
 
-    /// How many confident vectors are right within a pixel.
+    /// Number of confident vectors that are right within a pixel.
     int right(BrightnessModel model) const {
         FlowParams params;
         params.brightness = model;

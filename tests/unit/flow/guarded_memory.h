@@ -8,7 +8,7 @@
 
 namespace flownav::testing {
 
-/// Memory whose first and last bytes lie beside pages that must not be touched.
+/// Memory between two guard pages: an access outside it crashes.
 class GuardedMemory {
   public:
     explicit GuardedMemory(std::size_t pages) : page_(sysconf(_SC_PAGESIZE)), bytes_((pages + 2) * page_) {

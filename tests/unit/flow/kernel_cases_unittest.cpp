@@ -1,4 +1,4 @@
-// Every kernel gives exactly what the portable one gives, whatever it is given.
+// Every kernel gives the same result as the portable one on any input.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,10 +19,10 @@ namespace {
 using testing::GuardedMemory;
 
 constexpr int cases = 10000;
-constexpr int margin_px = 24;  // of the image around the block
+constexpr int margin_px = 24;  // margin of the image around the block
 constexpr int image_px = block_px + 2 * margin_px;
 
-/// An image that ends (or begins) exactly where the memory does.
+/// An image at the very end (or beginning) of its memory.
 struct Image {
     Image() : memory(4) {}
 
@@ -71,7 +71,7 @@ void fill(Image& image, Kind kind, std::mt19937& random) {
     }
 }
 
-/// The whole window, or what a border leaves of it.
+/// The whole window, or the part of it that an image border leaves.
 SearchRange some_range(std::mt19937& random) {
     if (random() % 2 == 0) return {};
     const auto pick = [&] {
@@ -114,7 +114,7 @@ TEST_P(EveryKernel, GivesWhatThePortableOneGives) {
         fill(reference, static_cast<Kind>(random() % static_cast<int>(Kind::count)), random);
         if (random() % 4 == 0) {
             fill(newer, static_cast<Kind>(random() % static_cast<int>(Kind::count)), random);
-        } else {  // the same, moved
+        } else {  // the reference, moved
             const int du = static_cast<int>(random() % 16);
             for (int v = 0; v < image_px; ++v) {
                 for (int u = 0; u < image_px; ++u)
@@ -122,8 +122,8 @@ TEST_P(EveryKernel, GivesWhatThePortableOneGives) {
             }
         }
         const SearchRange range = some_range(random);
-        // The last window that may be read ends with the last pixel of the memory, the first begins with the
-        // first.
+        // At the end of the memory the last window ends with the last pixel; at its beginning the first
+        // window begins with the first pixel.
         const int edge = image_px - block_px;
         const int u = at_end ? edge - range.mu_max : -range.mu_min;
         const int v = at_end ? edge - range.nu_max : -range.nu_min;

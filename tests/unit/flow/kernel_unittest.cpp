@@ -27,7 +27,7 @@ BlockMatch match(const std::uint8_t* block, const Window& w, const SearchRange& 
     return select_kernel().match(block, window_px, at(w, 0, 0), window_px, range);
 }
 
-/// Eq. (2) written as it is printed.
+/// Eq. (2), literally.
 int sad_by_definition(const std::uint8_t* block, const std::uint8_t* other) {
     int sum = 0;
     for (int i = 0; i < block_px * block_px; ++i) {
@@ -95,8 +95,8 @@ TEST(Kernel, SecondMinimumKeepsItsDistance) {
         return s[(nu - search_min) * search_px + mu - search_min];
     };
     cost(1, 1) = 10;
-    cost(3, 3) = 20;  // two pixels off: the same minimum
-    cost(4, 1) = 30;  // three pixels off: another one
+    cost(3, 3) = 20;  // two pixels off: part of the same minimum
+    cost(4, 1) = 30;  // three pixels off: a separate minimum
     const BlockMatch m = summarise(s, {});
     EXPECT_EQ(m.minimum, 10);
     EXPECT_EQ(m.second, 30);

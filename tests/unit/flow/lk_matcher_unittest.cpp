@@ -19,7 +19,7 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-testing::SceneOptions free_floor(testing::Surface floor) {
+testing::SceneOptions free_floor(sim::Surface floor) {
     testing::SceneOptions options;
     options.kind = testing::SceneKind::Free;
     options.seed = 7;
@@ -28,14 +28,14 @@ testing::SceneOptions free_floor(testing::Surface floor) {
     return options;
 }
 
-/// Two images of a drive over a floor, three apart.
+/// Two images of a drive over a floor, three images apart.
 struct Pair {
     testing::Scene scene;
     Field first, second;
     BlockLayout layout;
     std::vector<Vector2d> predicted_px;
 
-    explicit Pair(const testing::SceneOptions& options = free_floor(testing::Surface::Carpet))
+    explicit Pair(const testing::SceneOptions& options = free_floor(sim::Surface::Carpet))
         : scene(testing::make_scene(options)),
           first(testing::make_field(scene, 0)),
           second(testing::make_field(scene, 3)),
@@ -74,7 +74,7 @@ TEST(LkMatcher, MeasuresTheExactFlowOfARenderedFloor) {
 }
 
 TEST(LkMatcher, SigmaTellsTheErrorOnGoodAndPoorFloors) {
-    for (const auto floor : {testing::Surface::Carpet, testing::Surface::Lino, testing::Surface::Marbled}) {
+    for (const auto floor : {sim::Surface::Carpet, sim::Surface::Lino, sim::Surface::Marbled}) {
         Pair pair(free_floor(floor));
         for (std::size_t i = 0; i < pair.layout.size(); ++i)
             pair.predicted_px[i] = pair.truth_px(pair.layout.centre_px[i]) + Vector2d(0.5, -0.5);

@@ -26,7 +26,7 @@ struct Pair {
         return vectors;
     }
 
-    /// Median length of the difference to the exact flow, pixels.
+    /// Median error of the flow, pixels.
     double median_error_px(Subpixel subpixel) const {
         std::vector<double> errors;
         for (const FlowVector& v : match(subpixel)) {
@@ -79,7 +79,7 @@ TEST(MatchBlocks, InAnotherLightEveryGreyIsAsTheMapSays) {
         std::vector<FlowVector> vectors;
         match_blocks(pair.first.image, other.view(), pair.layout, pair.no_bias, settings, vectors);
         int exact = 0;
-        for (const FlowVector& v : vectors) exact += v.confidence == 1.0;  // a smallest sum of 0
+        for (const FlowVector& v : vectors) exact += v.confidence == 1.0;  // their smallest sum is 0
         EXPECT_GT(exact, 300) << light.gain;
     }
 }

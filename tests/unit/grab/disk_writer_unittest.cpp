@@ -34,7 +34,7 @@ TEST(DiskWriter, WritesAllInTheOrderOfTime) {
     EXPECT_EQ(writer.failure(), "");
 }
 
-/// A disk that takes nothing until it is opened for reading: a pipe that nobody empties.
+/// A disk that blocks until it is opened for reading: a pipe without a reader.
 class StuckDisk : public ::testing::Test {
   protected:
     StuckDisk() {
@@ -43,7 +43,7 @@ class StuckDisk : public ::testing::Test {
     }
     ~StuckDisk() override { close(reader_); }
 
-    /// Lets the writer come to its end.
+    /// Reads the pipe so that the writer can finish.
     void empty_it(DiskWriter& writer) const {
         std::thread drain([this] {
             char buffer[65536];
@@ -95,7 +95,7 @@ TEST_F(StuckDisk, ASourceThatCanWaitLosesNothing) {
 TEST(DiskWriter, ADiskThatFailsIsReportedWithWhatWasLost) {
     const fs::path file = testing::grab_test_folder() / "f.rawlog";
     DiskWriter writer({file, 1000, false, 1}, plenty);
-    fs::create_directories(continuation(file, 1));  // in the way of the next file
+    fs::create_directories(continuation(file, 1));  // occupies the name of the next file
     for (int i = 0; i < 10; ++i) writer.put({i, "A", noise(400, static_cast<std::uint32_t>(i))});
     writer.finish();
     EXPECT_NE(writer.failure().find("f_001.rawlog"), std::string::npos) << writer.failure();

@@ -15,14 +15,14 @@ inline Bytes bytes_of(const std::string& text) {
     return {text.begin(), text.end()};
 }
 
-/// Bytes that cannot be compressed.
+/// Incompressible bytes.
 inline Bytes noise(std::size_t count, std::uint32_t seed) {
     Bytes bytes(count);
     for (auto& byte : bytes) byte = static_cast<std::uint8_t>((seed = seed * 1664525U + 1013904223U) >> 24U);
     return bytes;
 }
 
-/// What gz makes of a file; fails the test when it is damaged or ends in a member.
+/// Unpacks a gz file; fails the test when it is damaged or ends inside a member.
 inline std::string unpacked(const std::filesystem::path& file) {
     gzFile gz = gzopen(file.c_str(), "rb");
     EXPECT_NE(gz, nullptr) << file;

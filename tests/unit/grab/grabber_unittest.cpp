@@ -6,12 +6,13 @@
 
 #include <fstream>
 
+#include "flownav/cli/usage_error.h"
 #include "flownav/io/rawlog_reader.h"
 #include "grab_samples.h"
 
 namespace flownav {
 
-/// Observes a comment each turn, `turns` times, and fails then.
+/// Observes a comment per turn, `turns` times, then fails.
 class CTalkingSensor : public mrpt::hwdrivers::CGenericSensor {
     DEFINE_GENERIC_SENSOR(CTalkingSensor)
   public:
@@ -79,7 +80,7 @@ TEST_F(GrabberOf, WhatADriverMissesIsAUsageErrorThatNamesTheSection) {
     try {
         setup("[X]\ndriver = CTalkingSensor\nprocess_rate = 1000\n");
         FAIL() << "turns is missing";
-    } catch (const GrabUsageError& error) {
+    } catch (const cli::UsageError& error) {
         EXPECT_NE(std::string(error.what()).find("[X]: "), std::string::npos) << error.what();
         EXPECT_NE(std::string(error.what()).find("turns"), std::string::npos) << error.what();
         EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "flownav/cli/usage_error.h"
 #include "grab_samples.h"
 
 namespace flownav {
@@ -21,13 +22,13 @@ TEST(SensorSetup, TheFileOfTheUserStaysAsItIs) {
     const auto file = testing::grab_test_folder() / "grab.ini";
     const std::string text = "; mine\n[global]\nrawlog_GZ_compress_level=3 // small\n";
     std::ofstream(file) << text;
-    EXPECT_THROW(read_grab_setup(file), GrabUsageError) << "no sensor";
+    EXPECT_THROW(read_grab_setup(file), cli::UsageError) << "no sensor";
     std::ifstream stream(file);
     EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), text);
 }
 
 TEST(SensorSetup, AFolderIsNoConfiguration) {
-    EXPECT_THROW(read_grab_setup(testing::grab_test_folder()), GrabUsageError);
+    EXPECT_THROW(read_grab_setup(testing::grab_test_folder()), cli::UsageError);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace flownav::io {
 namespace {
 
 TEST(BoundedQueue, HandsOverEverythingInOrderThenEnds) {
-    BoundedQueue<std::unique_ptr<int>> queue(2);  // what it holds need not be copied
+    BoundedQueue<std::unique_ptr<int>> queue(2);  // holds types that cannot be copied
     std::thread producer([&queue] {
         for (int i = 0; i < 1000; ++i) queue.push(std::make_unique<int>(i));
         queue.close();
@@ -32,7 +32,7 @@ TEST(BoundedQueue, NeverHoldsMoreThanItsCapacity) {
     std::thread producer([&] {
         for (int i = 0; i < 1000; ++i) {
             queue.push(i);
-            // One more may have been taken out and not yet counted.
+            // One more element may have been popped and not yet counted.
             EXPECT_LE(++pushed - popped, 3 + 1);
         }
         queue.close();

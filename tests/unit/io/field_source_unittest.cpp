@@ -9,6 +9,7 @@
 #include <opencv2/core/mat.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "flownav/math/units.h"
 #include "rawlog_files.h"
 
 namespace flownav::io {
@@ -16,7 +17,6 @@ namespace {
 
 using namespace flownav::testing;
 using Objects = std::vector<mrpt::serialization::CSerializable::ConstPtr>;
-constexpr double deg = M_PI / 180;
 
 struct SourceResult {
     std::vector<Field> fields;
@@ -59,9 +59,9 @@ std::string config_error(const Objects& objects, const config::CameraConfig& cam
 std::string config_error_of_pose(double x_m, double height_m, double yaw_deg, double pitch_deg,
                                  double roll_deg) {
     auto image = image_at(1);
-    image->cameraPose =
-        mrpt::poses::CPose3D(x_m, 0, height_m, yaw_deg * deg, pitch_deg * deg, roll_deg * deg) +
-        mrpt::poses::CPose3D(0, 0, 0, -90 * deg, 0, -90 * deg);
+    image->cameraPose = mrpt::poses::CPose3D(x_m, 0, height_m, yaw_deg * degree_rad, pitch_deg * degree_rad,
+                                             roll_deg * degree_rad) +
+                        mrpt::poses::CPose3D(0, 0, 0, -90 * degree_rad, 0, -90 * degree_rad);
     return config_error({image});
 }
 
@@ -95,7 +95,7 @@ TEST(FieldSource, TakesCalibrationAndPoseFromTheImage) {
     EXPECT_DOUBLE_EQ(camera.cx_px, 31.5);
     EXPECT_DOUBLE_EQ(camera.cy_px, 23.5);
     EXPECT_NEAR(camera.mount.height_m, 0.5, 1e-12);
-    EXPECT_NEAR(camera.mount.pitch_rad, 10 * deg, 1e-12);
+    EXPECT_NEAR(camera.mount.pitch_rad, 10 * degree_rad, 1e-12);
     EXPECT_NEAR(camera.mount.roll_rad, 0, 1e-12);
     EXPECT_NEAR(camera.mount.yaw_rad, 0, 1e-12);
     EXPECT_NEAR(camera.mount.forward_m, 0.1, 1e-12);
@@ -117,9 +117,9 @@ TEST(FieldSource, IniOverridesTheRecording) {
     EXPECT_DOUBLE_EQ(camera.fy_px, 50);
     EXPECT_DOUBLE_EQ(camera.cy_px, 20);
     EXPECT_DOUBLE_EQ(camera.mount.height_m, 0.8);
-    EXPECT_NEAR(camera.mount.pitch_rad, 25 * deg, 1e-12);
-    EXPECT_NEAR(camera.mount.roll_rad, -2 * deg, 1e-12);
-    EXPECT_NEAR(camera.mount.yaw_rad, 1.5 * deg, 1e-12);
+    EXPECT_NEAR(camera.mount.pitch_rad, 25 * degree_rad, 1e-12);
+    EXPECT_NEAR(camera.mount.roll_rad, -2 * degree_rad, 1e-12);
+    EXPECT_NEAR(camera.mount.yaw_rad, 1.5 * degree_rad, 1e-12);
     EXPECT_DOUBLE_EQ(camera.mount.forward_m, 0.3);
     EXPECT_NEAR(camera.mount.left_m, 0.02, 1e-12);
     EXPECT_DOUBLE_EQ(camera.distortion[0], 0.1);
@@ -272,7 +272,7 @@ TEST(FieldSource, ImageWithoutCalibrationIsFineWhenTheIniHasIt) {
     config.pitch_deg = 12;
     const auto result = read({image}, config);
     ASSERT_EQ(result.fields.size(), 1U);
-    EXPECT_NEAR(result.fields[0].camera.mount.pitch_rad, 12 * deg, 1e-12);
+    EXPECT_NEAR(result.fields[0].camera.mount.pitch_rad, 12 * degree_rad, 1e-12);
     EXPECT_EQ(result.fields[0].camera.mount.roll_rad, 0);
 }
 
@@ -323,12 +323,13 @@ TEST(FieldSource, ADistortionThatBendsNoLensIsAnError) {
 
 TEST(FieldSource, AnglesAndOffsetsComeBackFromAPose) {
     auto image = image_at(1);
-    image->cameraPose = mrpt::poses::CPose3D(0.3, -0.1, 0.9, 4 * deg, 25 * deg, -6 * deg) +
-                        mrpt::poses::CPose3D(0, 0, 0, -90 * deg, 0, -90 * deg);
+    image->cameraPose =
+        mrpt::poses::CPose3D(0.3, -0.1, 0.9, 4 * degree_rad, 25 * degree_rad, -6 * degree_rad) +
+        mrpt::poses::CPose3D(0, 0, 0, -90 * degree_rad, 0, -90 * degree_rad);
     const CameraMount mount = read({image}).fields.at(0).camera.mount;
-    EXPECT_NEAR(mount.yaw_rad, 4 * deg, 1e-9);
-    EXPECT_NEAR(mount.pitch_rad, 25 * deg, 1e-9);
-    EXPECT_NEAR(mount.roll_rad, -6 * deg, 1e-9);
+    EXPECT_NEAR(mount.yaw_rad, 4 * degree_rad, 1e-9);
+    EXPECT_NEAR(mount.pitch_rad, 25 * degree_rad, 1e-9);
+    EXPECT_NEAR(mount.roll_rad, -6 * degree_rad, 1e-9);
     EXPECT_NEAR(mount.left_m, -0.1, 1e-9);
 }
 
@@ -368,7 +369,7 @@ TEST(FieldSource, IntensityImageOfADepthCameraIsAnImage) {
     auto depth = mrpt::obs::CObservation3DRangeScan::Create();
     depth->timestamp = mrpt::Clock::fromDouble(1.0);
     depth->sensorLabel = "CAMERA1";
-    depth->sensorPose = mrpt::poses::CPose3D(0.2, 0, 0.7, 0, 15 * deg, 0);
+    depth->sensorPose = mrpt::poses::CPose3D(0.2, 0, 0.7, 0, 15 * degree_rad, 0);
     depth->hasIntensityImage = true;
     depth->intensityImage = image_at(1)->image;
     depth->cameraParamsIntensity = image_at(1)->cameraParams;
@@ -376,7 +377,7 @@ TEST(FieldSource, IntensityImageOfADepthCameraIsAnImage) {
     ASSERT_EQ(result.fields.size(), 1U);
     const CameraModel& camera = result.fields[0].camera;
     EXPECT_DOUBLE_EQ(camera.fx_px, 60);
-    EXPECT_NEAR(camera.mount.pitch_rad, 15 * deg, 1e-9);
+    EXPECT_NEAR(camera.mount.pitch_rad, 15 * degree_rad, 1e-9);
     EXPECT_NEAR(camera.mount.height_m, 0.7, 1e-9);
     depth->hasIntensityImage = false;
     EXPECT_EQ(read({depth}).counts.ignored, 1U);

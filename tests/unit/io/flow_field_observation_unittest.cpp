@@ -35,7 +35,7 @@ CObservationFlowField::Ptr read_from(const std::vector<std::uint8_t>& bytes) {
     return archiveFrom(memory).ReadObject<CObservationFlowField>();
 }
 
-/// Where the 4-byte number `value` stands in `bytes`.
+/// Offset of the 4-byte number `value` in `bytes`.
 std::size_t place_of(std::uint32_t value, const std::vector<std::uint8_t>& bytes) {
     for (std::size_t i = 0; i + 4 <= bytes.size(); ++i)
         if (std::memcmp(&bytes[i], &value, 4) == 0) return i;
@@ -77,7 +77,7 @@ TEST(FlowFieldObservation, AnOldFileStillLoads) {
     auto archive = archiveFrom(file);
     expect_equal(*archive.ReadObject<CObservationFlowField>(), *first_flow_field());
     const auto rich = rich_flow_field();
-    for (GroundPatch& patch : rich->step.ground) patch.width_m = 0.0;  // version 0 knows none
+    for (GroundPatch& patch : rich->step.ground) patch.width_m = 0.0;  // version 0 has no widths
     expect_equal(*archive.ReadObject<CObservationFlowField>(), *rich);
     EXPECT_THROW(archive.ReadObject(), mrpt::serialization::CExceptionEOF);
 }
@@ -85,7 +85,7 @@ TEST(FlowFieldObservation, AnOldFileStillLoads) {
 TEST(FlowFieldObservation, AVersionOfTheFutureIsRefused) {
     auto bytes = bytes_of(*first_flow_field());
     const std::string name = "flownav::CObservationFlowField";
-    bytes[1 + name.size()] = 2;  // behind the length and the name of the class
+    bytes[1 + name.size()] = 2;  // offset after the length and the name of the class
     try {
         read_from(bytes);
         FAIL() << "was read";
@@ -96,7 +96,7 @@ TEST(FlowFieldObservation, AVersionOfTheFutureIsRefused) {
 
 TEST(FlowFieldObservation, AHugeLengthIsRefusedWithoutAllocatingIt) {
     const auto field = first_flow_field();
-    field->step.blocks.resize(77777);  // a number that is found again
+    field->step.blocks.resize(77777);  // a number that is unique in the bytes
     auto bytes = bytes_of(*field);
     const std::size_t at = place_of(77777, bytes);
     for (const std::uint32_t size : {0x80000000U, 0xFFFFFFFFU, 1U << 21}) {

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double start_s = 1767225600.125;
 
-/// 0.1, 0.2, ...: each number is another one.
+/// Generates 0.1, 0.2, ..., so that all numbers differ.
 class Numbers {
   public:
     double operator()() { return 0.1 * ++count_; }

@@ -1,16 +1,16 @@
 #pragma once
 #include "flownav/io/flow_field_observation.h"
 
-/// Hand-made flow fields, in which no two numbers are alike.
+/// Hand-made flow fields in which all numbers differ.
 namespace flownav::testing {
 
 /// A finished cycle with every label and every kind of beam.
 CObservationFlowField::Ptr rich_flow_field();
 
-/// The first field of a drive: nothing in it yet.
+/// The first field of a drive, without vectors.
 CObservationFlowField::Ptr first_flow_field();
 
-/// Compares every number; fails the test where one differs.
+/// Compares every number; fails the test at a difference.
 void expect_equal(const CObservationFlowField& a, const CObservationFlowField& b);
 
 }  // namespace flownav::testing

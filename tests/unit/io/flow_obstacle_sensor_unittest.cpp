@@ -30,7 +30,8 @@ using mrpt::obs::CObservationOdometry;
 using mrpt::obs::CObservationPointCloud;
 namespace fs = std::filesystem;
 
-/// A drive of 24 images, rendered once; in a folder of the test that asks first, for tests run side by side.
+/// A drive of 24 images, rendered once, in a folder of the first test that calls it, because tests run in
+/// parallel.
 const fs::path& drive() {
     static const fs::path file = [] {
         const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
@@ -55,7 +56,7 @@ void configure(CFlowObstacleSensor& sensor, const std::string& lines) {
     sensor.loadConfig(ini, "FLOW");
 }
 
-/// What came of a sensor that was asked until it threw.
+/// Observations of a sensor that ran until it threw.
 struct Grab {
     std::vector<CObservation::Ptr> observations;
     std::string reason;
@@ -257,13 +258,13 @@ TEST(FlowObstacleSensor, BadKeysAreRefusedAtLoading) {
     try {
         configure(sensor, rawlog_lines() + "tau_px = 3\n");
         FAIL() << "an unknown key was taken";
-    } catch (const std::exception& error) {  // MRPT wraps it
+    } catch (const std::exception& error) {  // MRPT wraps the exception
         EXPECT_TRUE(says(error.what(), "section FLOW", "tau_px", "obstacles.tau_px"));
     }
     EXPECT_EQ(sensor.getState(), CGenericSensor::ssError);
 }
 
-/// MRPT's clock as the test says.
+/// Sets MRPT's clock to the time of the test.
 class SimulatedClock {
   public:
     explicit SimulatedClock(double start_s) : now_s_(start_s) {

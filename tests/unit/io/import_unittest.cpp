@@ -12,6 +12,7 @@
 #include "flownav/io/output_file.h"
 #include "flownav/io/recording_writer.h"
 #include "flownav/io/video_file.h"
+#include "flownav/math/units.h"
 #include "rawlog_files.h"
 
 namespace flownav::io {
@@ -19,7 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace flownav::testing;
-constexpr double deg = M_PI / 180;
 
 /// A picture whose line v has the grey value 3 v + offset.
 cv::Mat picture(int offset) {
@@ -46,7 +46,7 @@ config::CameraConfig small_camera() {
 CameraMount car_camera() {
     CameraMount mount;
     mount.height_m = 1.65;
-    mount.pitch_rad = 2 * deg;
+    mount.pitch_rad = 2 * degree_rad;
     mount.forward_m = 1.1;
     return mount;
 }
@@ -108,8 +108,8 @@ void write_kitti_odometry(const fs::path& folder) {
     write_bytes(sequence / "times.txt", "0.000000e+00\n1.037359e-01\n2.073381e-01\n");
 }
 
-/// A car that turns to the left by 90 degrees about its axis, then drives 2 m: poses of the camera 1.1 m
-/// ahead.
+/// Writes the poses of a camera 1.1 m ahead of the axis of a car that turns left by 90 degrees about the
+/// axis, then drives 2 m.
 void write_turning_poses(const fs::path& folder) {
     fs::create_directories(folder / "poses");
     write_bytes(folder / "poses" / "00.txt",
@@ -133,7 +133,7 @@ TEST(KittiOdometry, ImagesTimesAndCalibrationComeThrough) {
     EXPECT_DOUBLE_EQ(camera.fy_px, 61);
     EXPECT_DOUBLE_EQ(camera.cx_px, 31.5);
     EXPECT_NEAR(camera.mount.height_m, 1.65, 1e-9);
-    EXPECT_NEAR(camera.mount.pitch_rad, 2 * deg, 1e-9);
+    EXPECT_NEAR(camera.mount.pitch_rad, 2 * degree_rad, 1e-9);
     EXPECT_NEAR(camera.mount.forward_m, 1.1, 1e-9);
     EXPECT_NEAR(camera.mount.left_m, 0, 1e-9);
 }
@@ -207,7 +207,7 @@ TEST(KittiRaw, TimesAndPosesAreTakenWhenTheyAreThere) {
     write_bytes(drive / "image_02" / "timestamps.txt",
                 "2011-09-26 13:02:44.326092134\n2011-09-26 13:02:44.429828531\n2011-09-26 13:02:44.533\n");
     fs::create_directories(drive / "oxts" / "data");
-    // Heading north; 1e-5 degrees of latitude are 1.113 m.
+    // The drive heads north; 1e-5 degrees of latitude are 1.113 m.
     for (int i = 0; i < 3; ++i) {
         write_bytes(drive / "oxts" / "data" / ("000000000" + std::to_string(i) + ".txt"),
                     std::to_string(49.0 + 0.00001 * i) + " 8.4 116 0 0 1.5707963267949 5 5 5\n");

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <opencv2/videoio.hpp>
 
+#include "flownav/math/units.h"
 #include "producer_samples.h"
 
 namespace flownav::io {
@@ -95,7 +96,7 @@ TEST(LiveFields, WovenFramesOfAVideoAreSplit) {
 
 TEST(LiveFields, AFolderHasTheRateOfTheIniAndEndsWithItsLastImage) {
     const fs::path folder = producer_folder();
-    const auto images = noise_images(105);  // MRPT alone would stop at 101
+    const auto images = noise_images(105);  // MRPT's own limit is 101
     write_images(folder, images);
     LiveFields live(producer_settings(folder_lines(folder) + "rate_hz = 10\n"));
     const auto fields = all_fields(live);
@@ -214,7 +215,7 @@ TEST(LiveFields, ThePoseOfTheDriverSectionIsTheCameras) {
     ASSERT_EQ(fields.size(), 2U) << live.error();
     EXPECT_NEAR(fields[0].camera.mount.height_m, 0.62, 1e-6);
     EXPECT_NEAR(fields[0].camera.mount.forward_m, 0.1, 1e-6);
-    EXPECT_NEAR(fields[0].camera.mount.pitch_rad, 25 * M_PI / 180, 1e-6);
+    EXPECT_NEAR(fields[0].camera.mount.pitch_rad, 25 * degree_rad, 1e-6);
 }
 
 }  // namespace

@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "flownav/io/observations.h"
+#include "flownav/math/units.h"
 
 namespace flownav::io {
 namespace {
 
 using mrpt::maps::COccupancyGridMap2D;
-
-constexpr double deg = M_PI / 180;
 
 /// 41 beams of 2 degrees. Within 4 degrees of straight ahead an obstacle at 4.05 m; from 20 degrees to the
 /// left on free floor up to 2 m; all else blind.
@@ -20,8 +19,8 @@ pipeline::Step cycle() {
     step.timestamp_s = 1767225600.0;
     step.status = FieldStatus::Ok;
     step.end_of_cycle = true;
-    step.scan.first_bearing_rad = -40 * deg;
-    step.scan.step_rad = 2 * deg;
+    step.scan.first_bearing_rad = -40 * degree_rad;
+    step.scan.step_rad = 2 * degree_rad;
     step.scan.beams.resize(41);
     for (std::size_t i = 18; i <= 22; ++i) step.scan.beams[i] = {BeamKind::Obstacle, 4.05};
     for (std::size_t i = 30; i <= 40; ++i) step.scan.beams[i] = {BeamKind::Free, 2.0};
@@ -30,11 +29,11 @@ pipeline::Step cycle() {
 }
 
 float at(const COccupancyGridMap2D& grid, double bearing_deg, double range_m) {
-    return grid.getPos(static_cast<float>(range_m * std::cos(bearing_deg * deg)),
-                       static_cast<float>(range_m * std::sin(bearing_deg * deg)));
+    return grid.getPos(static_cast<float>(range_m * std::cos(bearing_deg * degree_rad)),
+                       static_cast<float>(range_m * std::sin(bearing_deg * degree_rad)));
 }
 
-/// The farthest free cell along a bearing, up to a beam to either side.
+/// Range of the farthest free cell along a bearing, up to a beam to either side.
 double free_up_to_m(const COccupancyGridMap2D& grid, double bearing_deg) {
     double farthest_m = 0;
     for (int step = 0; step < 190; ++step) {
@@ -69,7 +68,7 @@ TEST(MapInsertion, ABlindBearingLeavesTheCellsAsTheyWere) {
 }
 
 TEST(MapInsertion, WithMrptsDefaultOptionABlindBearingIsFreeFarOut) {
-    // Which is why the option has to be switched off: nothing that a beam could hold prevents it.
+    // The option must be switched off, because no value of a beam prevents the insertion.
     EXPECT_TRUE(COccupancyGridMap2D::TInsertionOptions().considerInvalidRangesAsFreeSpace);
     const auto grid = grid_with(cycle(), true);
     EXPECT_NEAR(free_up_to_m(grid, -20), 7.5, 0.5) << "half of maxDistanceInsertion, 15 m";

@@ -7,7 +7,7 @@
 namespace flownav::io {
 namespace {
 
-/// Three beams: straight ahead free, to its left an obstacle, to its right nothing known.
+/// Three beams: straight ahead free, to its left an obstacle, to its right unknown.
 pipeline::Step finished_cycle() {
     pipeline::Step step;
     step.timestamp_s = 1767225600.25;

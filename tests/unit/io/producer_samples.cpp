@@ -13,7 +13,7 @@
 #include <sanitizer/lsan_interface.h>
 #endif
 
-/// Leaks of the libraries behind MRPT's grabbers, which are not for this project to mend.
+/// Suppresses leaks of the libraries behind MRPT's grabbers.
 extern "C" const char* __lsan_default_suppressions();   // NOLINT(bugprone-reserved-identifier)
 extern "C" const char* __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier)
     return "leak:libavutil\nleak:libusb\n";
@@ -79,7 +79,7 @@ std::vector<Field> all_fields(io::LiveFields& live) {
 std::string reason_not_to_open(const std::string& lines) {
 #if defined(__SANITIZE_ADDRESS__)
     const __lsan::ScopedDisabler
-        drivers_are_unloaded;  // and their leaks then have no name to suppress them by
+        drivers_are_unloaded;  // unloaded libraries have no name to suppress their leaks by
 #endif
     try {
         io::LiveFields live(producer_settings(lines));

@@ -11,31 +11,31 @@
 /// Small sources of images for the tests of the producer.
 namespace flownav::testing {
 
-/// A folder of its own for the running test, emptied first.
+/// Creates an empty folder for the running test.
 std::filesystem::path producer_folder();
 
-/// Settings from the lines of a section [FLOW]; throws what read_producer_settings() throws.
+/// Reads settings from the lines of a section [FLOW]; throws as read_producer_settings().
 io::ProducerSettings producer_settings(const std::string& lines);
 
-/// Enough of a calibration for any image.
+/// A calibration valid for any image.
 extern const std::string calibration_lines;
 
 /// 64 x 48 images of noise, each different.
 std::vector<cv::Mat> noise_images(int count);
 
-/// A lossless grey video.
+/// Writes a lossless grey video.
 void write_video(const std::filesystem::path& file, const std::vector<cv::Mat>& images, double rate_hz);
 
-/// image_000.png and so on.
+/// Writes image_000.png and so on.
 void write_images(const std::filesystem::path& folder, const std::vector<cv::Mat>& images);
 
-/// All fields of a source, until its end.
+/// Reads all fields of a source.
 std::vector<Field> all_fields(io::LiveFields& live);
 
-/// What LiveFields says about a source that it cannot open.
+/// Error message of LiveFields for a source that cannot be opened.
 std::string reason_not_to_open(const std::string& lines);
 
-/// Whether a message holds all these words; an assertion prints it if not.
+/// Asserts that a message holds all these words.
 template <class... Words>
 ::testing::AssertionResult says(const std::string& message, const Words&... words) {
     const bool all = ((message.find(words) != std::string::npos) && ...);

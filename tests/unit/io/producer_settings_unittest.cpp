@@ -91,6 +91,14 @@ TEST(ProducerSettings, AnUnknownKeyNamesTheNearestKnownOne) {
     EXPECT_TRUE(says(complaint(rawlog_lines + "ffmpeg_ulr = x\n"), "ffmpeg_url"));
     EXPECT_TRUE(says(complaint(rawlog_lines + "camera.hight_m = 1\n"), "camera.height_m"));
     EXPECT_TRUE(says(complaint(rawlog_lines + "height_m = 1\n"), "camera.height_m"));
+    EXPECT_TRUE(says(complaint(rawlog_lines + "blind_cone = 0.1\n"), "flow.focus_exclusion"));
+}
+
+TEST(ProducerSettings, EarlierNamesOfKeysAreRead) {
+    const auto settings =
+        producer_settings(rawlog_lines + "flow.blind_cone = 0.125\nnavigation.plan = stuck\n");
+    EXPECT_EQ(settings.config.pipeline.flow.focus_exclusion, 0.125);
+    EXPECT_EQ(settings.config.recovery.replan, nav::ReplanPolicy::WhenStuck);
 }
 
 TEST(ProducerSettings, ValuesOutOfRangeNameKeyValueAndRange) {

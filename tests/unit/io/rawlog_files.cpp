@@ -8,6 +8,8 @@
 #include <opencv2/core/mat.hpp>
 #include <random>
 
+#include "flownav/math/units.h"
+
 namespace flownav::testing {
 
 namespace fs = std::filesystem;
@@ -57,8 +59,7 @@ mrpt::obs::CObservationImage::Ptr image_at(double timestamp_s, unsigned seed) {
     image->cameraParams.ncols = 64;
     image->cameraParams.nrows = 48;
     image->cameraParams.setIntrinsicParamsFromValues(60, 50, 31.5, 23.5);
-    const double deg = M_PI / 180;
-    image->cameraPose = mrpt::poses::CPose3D(0.1, 0.02, 0.5, -90 * deg, 0, (-90 - 10) * deg);
+    image->cameraPose = mrpt::poses::CPose3D(0.1, 0.02, 0.5, -90 * degree_rad, 0, (-90 - 10) * degree_rad);
     return image;
 }
 

@@ -14,21 +14,21 @@
 /// Small rawlogs for the tests of reading.
 namespace flownav::testing {
 
-/// A folder of its own for the running test, emptied first.
+/// Creates an empty folder for the running test.
 std::filesystem::path test_folder();
 
-/// The bytes of objects as MRPT writes them, one after the other.
+/// Serializes objects one after the other, as MRPT writes them.
 std::string serialized(const std::vector<mrpt::serialization::CSerializable::ConstPtr>& objects);
 
 std::string gz(const std::string& bytes);
 void write_bytes(const std::filesystem::path& file, const std::string& bytes);
 
-/// A calibrated 64 x 48 grey image with a pattern that does not compress to nothing; 0.5 m high, 10 deg down.
+/// A calibrated 64 x 48 grey image with a pattern that compresses badly; camera 0.5 m high, 10 deg down.
 mrpt::obs::CObservationImage::Ptr image_at(double timestamp_s, unsigned seed = 1);
 mrpt::obs::CObservationOdometry::Ptr odometry_at(double timestamp_s, double x_m);
 mrpt::obs::CObservationRobotPose::Ptr truth_at(double timestamp_s, double x_m);
 
-/// Eight images and poses in between, as a list of observations.
+/// Eight images with poses in between, as a list of observations.
 std::vector<mrpt::serialization::CSerializable::ConstPtr> small_recording();
 
 }  // namespace flownav::testing

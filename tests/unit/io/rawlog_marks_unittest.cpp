@@ -27,7 +27,7 @@ std::vector<std::string> read_rest(RawlogReader& reader) {
     return rest;
 }
 
-/// Reads a file straight, then goes to each of its places, the last first, with another reader.
+/// Reads a file from start to end, then resumes at each mark, the last first, with another reader.
 void expect_the_same_from_every_mark(const std::filesystem::path& file) {
     RawlogReader straight(file);
     std::vector<Mark> marks = {straight.mark()};
@@ -54,7 +54,7 @@ std::filesystem::path file_of(const std::string& bytes) {
     return file;
 }
 
-/// Two observations in each frame and an odometry action in front of it.
+/// Frames of two observations each, with an odometry action before each frame.
 Objects frames() {
     Objects objects;
     for (unsigned i = 0; i < 6; ++i) {
@@ -102,7 +102,7 @@ TEST(RawlogMarks, ACopiedSourceGoesOnFromAMark) {
     const auto file = file_of(gz(serialized(small_recording())));
     RawlogReader reader(file);
     config::CameraConfig camera;
-    camera.interlaced = config::Interlaced::TopFirst;  // its second fields wait for the next frame
+    camera.interlaced = config::Interlaced::TopFirst;  // the second fields wait for the next frame
     FieldSource source(reader, camera);
     for (int i = 0; i < 7; ++i) source.next();
     const Mark mark = reader.mark();
@@ -125,7 +125,7 @@ TEST(RawlogMarks, AReaderAtTheEndOfAGrowingFileGoesOn) {
     for (const bool compressed : {false, true}) {
         const std::string plain = serialized(small_recording());
         const std::string all = compressed ? gz(plain) : plain;
-        const std::size_t cut = all.size() / 2 + 9;  // inside an object
+        const std::size_t cut = all.size() / 2 + 9;  // a place inside an object
         const auto file = file_of(all.substr(0, cut));
         RawlogReader reader(file);
         std::vector<std::string> read = read_rest(reader);

@@ -48,7 +48,7 @@ bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-/// Position of the name's length byte of object number `index` in serialized bytes.
+/// Offset of the length byte of the class name of object number `index` in the serialized bytes.
 std::size_t offset_of(const std::vector<mrpt::serialization::CSerializable::ConstPtr>& objects,
                       std::size_t index) {
     return serialized({objects.begin(), objects.begin() + static_cast<std::ptrdiff_t>(index)}).size();
@@ -237,7 +237,7 @@ TEST(RawlogReader, UnknownClassInsideAFrameIsNamedToo) {
 TEST(RawlogReader, BogusLengthIsCorruptAndAllocatesNothing) {
     const auto objects = small_recording();
     std::string bytes = serialized(objects);
-    // The length of the label in front of its text.
+    // Offset of the length of the label, which precedes its text.
     const std::size_t label = bytes.find("ODOMETRY", offset_of(objects, 4));
     for (const int top : {0x80, 0x40, 0x08, 0xFF}) {
         bytes[label - 1] = static_cast<char>(top);

@@ -17,7 +17,7 @@ using testing::point_at;
 using testing::set_seeing;
 
 constexpr double unknown = 0.5;
-constexpr double tolerance = 0.01;  // a cell is a byte
+constexpr double tolerance = 0.01;  // a cell is one byte
 
 TEST(GlobalMap, CellsNeverSeenStayUnknown) {
     GlobalMap map({});
@@ -115,7 +115,7 @@ TEST(GlobalMap, ARobotTooFarFromTheStartIsLeftOutAndCounted) {
     EXPECT_LT(map.grid().getXMax(), 10.0);
 }
 
-/// At the finest resolution 2000 m would be more cells than MRPT can count.
+/// At the finest resolution, 2000 m exceed the number of cells that MRPT can count.
 TEST(GlobalMap, TheFinestMapEndsWhereItsCellsCanStillBeCounted) {
     MapParams fine;
     fine.resolution_m = 0.02;

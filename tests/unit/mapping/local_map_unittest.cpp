@@ -35,7 +35,7 @@ TEST(LocalMap, ASetThatIsMovedByTheRobotsMotionLandsOnTheSamePlaceOfTheWorld) {
     const Pose2 later{0.7, 0.2, 0.5};
     map.insert(set_seeing(thing.x(), thing.y(), {}, 0.0));
     map.insert(set_seeing(thing.x(), thing.y(), later, 1.0));
-    EXPECT_LE(occupied_cells(map.grid()), 2);  // one cell, askew
+    EXPECT_LE(occupied_cells(map.grid()), 2);  // one cell, rotated
     const Vector2d p = transform(inverse(later), thing);
     EXPECT_GT(occupancy(map.grid(), p.x(), p.y()), 0.7);
 }
@@ -56,7 +56,7 @@ TEST(LocalMap, LeavesOutWhatLiesOutsideItsEdges) {
     LocalMap map(params);
     for (int i = 0; i < 3; ++i) map.insert(set_seeing(2.5, 0.0, {}));
     EXPECT_EQ(occupied_cells(map.grid()), 0);
-    map.insert({0.0, {1.0, 0.0, 0.0}, {}, {}});  // a metre on it lies inside
+    map.insert({0.0, {1.0, 0.0, 0.0}, {}, {}});  // with the robot a metre ahead, the obstacle lies inside
     EXPECT_EQ(occupied_cells(map.grid()), 1);
 }
 
@@ -75,13 +75,13 @@ TEST(LocalMap, WhatLeftTheMapAndCameBackIsNotForgottenTwice) {
     params.size_m = 4.0;
     LocalMap map(params);
     const ObstacleSet there = set_seeing(0.85, 0.05, {}, 0.0);
-    const Pose2 far_away{6.4, 0.0, 0.0};  // the same places of the ring
+    const Pose2 far_away{6.4, 0.0, 0.0};  // the same cells of the ring buffer
     map.insert(there);
     for (int i = 0; i < 3; ++i) map.insert(set_seeing(7.25, 0.05, far_away, 1.0));
     for (int i = 0; i < 3; ++i) map.insert(set_seeing(0.85, 0.05, {}, 2.0));
-    map.insert({6.5, {}, {}, {}});  // forgets the first
+    map.insert({6.5, {}, {}, {}});  // clears the first cells
     const double before = occupancy(map.grid(), 0.85, 0.05);
-    map.insert({7.5, {}, {}, {}});  // forgets those far away
+    map.insert({7.5, {}, {}, {}});  // clears the far cells
     EXPECT_GT(before, 0.8);
     EXPECT_EQ(occupancy(map.grid(), 0.85, 0.05), before);
 }

@@ -5,7 +5,7 @@
 
 namespace flownav::testing {
 
-/// A surely located point of the robot frame.
+/// A precise point of the robot frame.
 inline ObstaclePoint point_at(double x_m, double y_m, double sigma_m = 0.01) {
     ObstaclePoint point;
     point.position_m = {x_m, y_m, 0.3};
@@ -13,14 +13,14 @@ inline ObstaclePoint point_at(double x_m, double y_m, double sigma_m = 0.01) {
     return point;
 }
 
-/// What a robot at T_map_robot sees of a thing that stands at (x, y) of the MAP.
+/// The measurement of a robot at T_map_robot of an obstacle at (x, y) of the MAP.
 inline mapping::ObstacleSet set_seeing(double x_m, double y_m, const Pose2& T_map_robot,
                                        double timestamp_s = 0.0) {
     const Eigen::Vector2d p = transform(inverse(T_map_robot), {x_m, y_m});
     return {timestamp_s, T_map_robot, {point_at(p.x(), p.y())}, {}};
 }
 
-/// Probability that a place is occupied; MRPT's cells speak of being free.
+/// Probability that a place is occupied; MRPT's cells hold the probability of being free.
 inline double occupancy(const mrpt::maps::COccupancyGridMap2D& grid, double x_m, double y_m) {
     return 1.0 - static_cast<double>(grid.getPos(static_cast<float>(x_m), static_cast<float>(y_m)));
 }

@@ -9,7 +9,8 @@ using Eigen::Vector2d;
 
 constexpr double gap_rad = 1e-4;
 
-/// `count` samples around `omega_rad`, closer together than the gap, on a line of `width` about the middle.
+/// Adds `count` samples around `omega_rad`, closer together than the gap, on a line of `width` about the
+/// centre.
 void add(std::vector<OmegaSample>& samples, int count, double omega_rad, double width) {
     for (int i = 0; i < count; ++i) {
         const double share = (i + 0.5) / count - 0.5;

@@ -4,19 +4,19 @@
 
 #include <cmath>
 
-#include "flownav/testing/random.h"
+#include "flownav/sim/random.h"
 
 namespace flownav::motion {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr int columns = 8;  // cells of the image, as the consensus counts them
+constexpr int columns = 8;  // grid of the consensus over the image
 constexpr int lines = 6;
 constexpr int per_cell = 4;
 
-/// The equation of a vector at `at` that is exactly right for `turn`: what a unit turn and a unit pitch move
-/// there, in deviations of 0.3 px.
+/// The exact equation of a vector at `at` for `turn`: displacement by a unit turn and a unit pitch, in
+/// deviations of 0.3 px.
 MotionScratch::RotationEquation row_of(const Vector2d& at, const RotationHypothesis& turn) {
     MotionScratch::RotationEquation row;
     row.at = at;
@@ -28,7 +28,7 @@ MotionScratch::RotationEquation row_of(const Vector2d& at, const RotationHypothe
     return row;
 }
 
-/// Vectors all over the image, four in each cell; `turn_at(column)` is the rotation that they show there.
+/// Vectors over the whole image, four in each cell; `turn_at(column)` is their rotation.
 template <typename TurnAt>
 MotionScratch scratch_with(TurnAt turn_at) {
     MotionScratch scratch;
@@ -60,13 +60,13 @@ Consensus consensus_of(MotionScratch scratch, const MotionPrediction& prediction
 }
 
 void make_wild(MotionScratch& scratch, double share, std::uint64_t seed) {
-    testing::Random random(seed);
+    sim::HashRandom random(seed);
     for (auto& row : scratch.rotation_equations)
         if (random.uniform(0, 1) < share) row.measured += random.uniform(-60.0, 60.0);
 }
 
 void add_noise(MotionScratch& scratch, std::uint64_t seed) {
-    testing::Random random(seed);
+    sim::HashRandom random(seed);
     for (auto& row : scratch.rotation_equations) row.measured += random.normal(1.0);
 }
 
@@ -79,7 +79,7 @@ TEST(Consensus, FindsTurnsToEitherSideAndPitchesUpAndDownAmongWildVectors) {
             const Consensus found = consensus_of(scratch, predicted(0.0));
             EXPECT_NEAR(found.turn.omega_rad, omega_rad, 1e-9);
             EXPECT_NEAR(found.turn.pitch_rad, pitch_rad, 1e-9);
-            EXPECT_GT(found.support.share(), 0.45);  // cells with three right vectors of four: 0.56
+            EXPECT_GT(found.support.share(), 0.45);  // cells in which three of four vectors are right: 0.56
             EXPECT_FALSE(found.as_predicted);
         }
     }
@@ -93,7 +93,7 @@ TEST(Consensus, StandsNearTheTruthWhenVectorsAreNoisy) {
         add_noise(scratch, 12);
         make_wild(scratch, 0.3, 13);
         const Consensus found = consensus_of(scratch, predicted(0.0));
-        EXPECT_NEAR(found.turn.omega_rad, 0.05 * side, 0.002);  // three deviations of one vector
+        EXPECT_NEAR(found.turn.omega_rad, 0.05 * side, 0.002);  // three standard deviations of one vector
         EXPECT_NEAR(found.turn.pitch_rad, -0.01 * side, 0.004);
     }
 }
@@ -113,7 +113,7 @@ TEST(Consensus, WithoutPitchInTheModelItIsATurnAlone) {
 TEST(Consensus, WhatFillsMoreOfTheImageWinsOverMoreVectorsOnOneThing) {
     for (const double side : {1.0, -1.0}) {
         MotionScratch scratch = scratch_with([&](int) { return RotationHypothesis{0.03 * side, 0.0}; });
-        for (int i = 0; i < 600; ++i) {  // three times as many, all in the cells of one corner
+        for (int i = 0; i < 600; ++i) {  // three times as many vectors, all in the cells of one corner
             const Vector2d at(-0.45 + 0.2 * (i % 25) / 25.0, -0.45 + 0.2 * std::floor(i / 25.0) / 24.0);
             scratch.rotation_equations.push_back(row_of(at, {-0.04 * side, 0.0}));
         }
@@ -126,7 +126,7 @@ TEST(Consensus, TheTurnAsPredictedWinsAgainstUpToTwiceItsSupport) {
     for (const double side : {1.0, -1.0}) {
         const RotationHypothesis continued{0.03 * side, 0.0};
         const RotationHypothesis other{-0.05 * side, 0.0};
-        for (const int columns_continued : {2, 3}) {  // 12 cells of 48, and 18
+        for (const int columns_continued : {2, 3}) {  // 12 and 18 of 48 cells
             const MotionScratch scratch =
                 scratch_with([&](int column) { return column < columns_continued ? continued : other; });
             const Consensus found = consensus_of(scratch, predicted(continued.omega_rad));

@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "exact_samples.h"
+#include "flownav/math/units.h"
 #include "flownav/testing/camera.h"
 #include "flownav/testing/scene.h"
 
 namespace flownav::motion {
 namespace {
 
-using testing::degree;
 using testing::drive;
 using testing::estimate;
 using testing::exact_samples;
@@ -20,9 +20,9 @@ using testing::Pair;
 constexpr int cycle = 4;
 constexpr double cycle_s = cycle * testing::image_s;
 
-/// Errors of an estimate: of the turn rate, and of the travel relative to the true one.
+/// Errors of an estimate: turn rate, and travel relative to the true one.
 double omega_error_degps(const Pair& pair, const MotionEstimate& found) {
-    return (found.motion.omega_rad - pair.truth.omega_rad) / cycle_s / degree;
+    return (found.motion.omega_rad - pair.truth.omega_rad) / cycle_s / degree_rad;
 }
 double travel_error_percent(const Pair& pair, const MotionEstimate& found) {
     return 100.0 * (found.motion.forward_m / pair.truth.forward_m - 1.0);
@@ -34,7 +34,7 @@ void expect_truth(const Pair& pair, double omega_degps = 0.03, double travel_per
     EXPECT_TRUE(found.motion.forward_measured);
     EXPECT_LT(std::abs(omega_error_degps(pair, found)), omega_degps);
     EXPECT_LT(std::abs(travel_error_percent(pair, found)), travel_percent);
-    EXPECT_LT(std::abs(found.motion.pitch_rad - pair.truth.pitch_rad) / cycle_s / degree, 0.05);
+    EXPECT_LT(std::abs(found.motion.pitch_rad - pair.truth.pitch_rad) / cycle_s / degree_rad, 0.05);
 }
 
 TEST(EstimateMotion, FindsAStraightDriveOverFloor) {
@@ -62,15 +62,15 @@ TEST(EstimateMotion, ForwardIsPositiveAndBackwardNegative) {
 
 TEST(EstimateMotion, RaisingTheNoseIsAPositivePitch) {
     Pair pair = drive(testing::standard_camera(), 0.4, 5.0, cycle);
-    pair.to.camera.mount.pitch_rad -= 0.2 * degree;
+    pair.to.camera.mount.pitch_rad -= 0.2 * degree_rad;
     const MotionEstimate found = estimate(pair, exact_samples(pair));
-    EXPECT_NEAR(found.motion.pitch_rad, 0.2 * degree, 0.01 * degree);
+    EXPECT_NEAR(found.motion.pitch_rad, 0.2 * degree_rad, 0.01 * degree_rad);
     EXPECT_NEAR(omega_error_degps(pair, found), 0.0, 0.1);
 }
 
 TEST(EstimateMotion, WithoutThePitchInTheModelAVibrationSpoilsTheTurn) {
     Pair pair = drive(testing::standard_camera(), 0.4, 0.0, cycle, {}, {});
-    pair.to.camera.mount.pitch_rad -= 0.2 * degree;
+    pair.to.camera.mount.pitch_rad -= 0.2 * degree_rad;
     MotionParams yaw_only;
     yaw_only.model = MotionModel::Yaw;
     const MotionEstimate found = estimate(pair, exact_samples(pair), yaw_only);
@@ -95,7 +95,7 @@ TEST(EstimateMotion, KnowsACameraBesideTheAxis) {
 
 TEST(EstimateMotion, KnowsARolledCamera) {
     CameraModel camera = testing::standard_camera();
-    camera.mount.roll_rad = 2.0 * degree;
+    camera.mount.roll_rad = 2.0 * degree_rad;
     expect_truth(drive(camera, 0.4, 20.0, cycle));
 }
 
@@ -108,14 +108,14 @@ TEST(EstimateMotion, KnowsAWideLens) {
 
 TEST(EstimateMotion, ObstaclesDoNotDisturbIt) {
     const testing::Scene scene = testing::make_scene(testing::SceneKind::Straight, 3);
-    ASSERT_FALSE(scene.world.primitives.empty());
+    ASSERT_FALSE(scene.world.solids.empty());
     expect_truth(drive(testing::standard_camera(), 0.4, 15.0, cycle, scene.world, scene.poses[10]));
 }
 
 TEST(EstimateMotion, ThirtyPercentWildVectorsDoNotDisturbIt) {
     const Pair pair = drive(testing::standard_camera(), 0.4, 20.0, cycle);
     std::vector<FlowVector> vectors = testing::exact_vectors(pair);
-    testing::Random random(5);
+    sim::HashRandom random(5);
     for (FlowVector& v : vectors) {
         if (random.uniform(0, 1) < 0.3)
             v.flow_px += Eigen::Vector2d(random.uniform(-8, 8), random.uniform(-8, 8));
@@ -130,7 +130,7 @@ TEST(EstimateMotion, ThirtyPercentWildVectorsDoNotDisturbIt) {
 TEST(EstimateMotion, ItsDeviationsAreThoseOfItsErrors) {
     const Pair pair = drive(testing::standard_camera(), 0.4, 10.0, cycle);
     const std::vector<FlowVector> exact = testing::exact_vectors(pair);
-    testing::Random random(8);
+    sim::HashRandom random(8);
     double omega2 = 0.0, travel2 = 0.0;
     constexpr int runs = 60;
     for (int run = 0; run < runs; ++run) {
@@ -147,7 +147,7 @@ TEST(EstimateMotion, ItsDeviationsAreThoseOfItsErrors) {
 TEST(EstimateMotion, NoiseFactorTellsHowWrongTheDeviationsAre) {
     const Pair pair = drive(testing::standard_camera(), 0.4, 10.0, cycle);
     std::vector<FlowVector> noisy = testing::exact_vectors(pair);
-    testing::Random random(9);
+    sim::HashRandom random(9);
     for (FlowVector& v : noisy) v.flow_px += Eigen::Vector2d(random.normal(0.6), random.normal(0.6));
     EXPECT_NEAR(estimate(pair, testing::samples_of(pair, noisy)).noise_factor, 2.0, 0.3);
 }

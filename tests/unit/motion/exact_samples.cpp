@@ -1,12 +1,13 @@
 #include "exact_samples.h"
 
 #include "flownav/flow/block_layout.h"
+#include "flownav/math/units.h"
 
 namespace flownav::testing {
 
 Pair drive(const CameraModel& camera, double v_mps, double omega_degps, double images, const World& world,
            const Pose2& start) {
-    const Pose2 motion = along_arc(omega_degps * degree * images * image_s, v_mps * images * image_s);
+    const Pose2 motion = along_arc(omega_degps * degree_rad * images * image_s, v_mps * images * image_s);
     const View from{camera, start, 0.0};
     const View to{camera, compose(start, motion), 0.0};
     return {world, from, to, exact_motion(from, to)};

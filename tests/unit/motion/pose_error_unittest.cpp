@@ -5,18 +5,18 @@
 #include <Eigen/Geometry>
 
 #include "exact_samples.h"
+#include "flownav/math/units.h"
 #include "flownav/testing/camera.h"
 #include "flownav/testing/scene.h"
 
 namespace flownav::motion {
 namespace {
 
-using testing::degree;
 using testing::Pair;
 
 constexpr int cycle = 4;
 
-/// The rays of a pair as somebody sees them who takes the camera to have another mount.
+/// The rays of a pair under an assumed, wrong mount.
 std::vector<RayFlow> rays_of(const Pair& pair, const std::vector<FlowVector>& vectors,
                              const CameraMount& assumed) {
     CameraModel from = pair.from.camera;
@@ -39,7 +39,7 @@ PairFit fit(const Pair& pair, const std::vector<FlowVector>& vectors, const Came
     return fit_pair(rays_of(pair, vectors, assumed), camera, rough, Geometry::MidPoint, {}, scratch);
 }
 
-/// Gauss-Newton steps on one pair, from an assumed mount.
+/// Refines an assumed mount by Gauss-Newton steps on one pair.
 CameraMount refined(const Pair& pair, const std::vector<FlowVector>& vectors, CameraMount assumed) {
     for (int i = 0; i < 6; ++i)
         assumed = corrected(assumed, solve(fit(pair, vectors, assumed).equations).correction_rad);
@@ -48,20 +48,20 @@ CameraMount refined(const Pair& pair, const std::vector<FlowVector>& vectors, Ca
 
 CameraModel camera_with(double pitch_deg, double roll_deg, double yaw_deg) {
     CameraModel camera = testing::standard_camera();
-    camera.mount.pitch_rad += pitch_deg * degree;
-    camera.mount.roll_rad += roll_deg * degree;
-    camera.mount.yaw_rad += yaw_deg * degree;
+    camera.mount.pitch_rad += pitch_deg * degree_rad;
+    camera.mount.roll_rad += roll_deg * degree_rad;
+    camera.mount.yaw_rad += yaw_deg * degree_rad;
     return camera;
 }
 
-/// The truth lies one axis off what is assumed.
+/// Correction found when the true mount differs in one axis from the assumed one.
 MountAngles correction_found(double pitch_deg, double roll_deg, double yaw_deg, double omega_degps = 8.0) {
     const Pair pair = testing::drive(camera_with(pitch_deg, roll_deg, yaw_deg), 0.4, omega_degps, cycle);
     const CameraMount found = refined(pair, testing::exact_vectors(pair), testing::standard_camera().mount);
     const CameraMount& start = testing::standard_camera().mount;
     return MountAngles(found.pitch_rad - start.pitch_rad, found.roll_rad - start.roll_rad,
                        found.yaw_rad - start.yaw_rad) /
-           degree;
+           degree_rad;
 }
 
 TEST(PoseError, ACameraThatLooksFartherDownThanAssumedHasAPositivePitchError) {
@@ -92,8 +92,8 @@ TEST(PoseError, AllAnglesAreFoundTogetherFromFarOff) {
     EXPECT_NEAR(found[2], -2.0, 0.01);
 }
 
-/// Flow of the floor, with a third of the vectors on something that is nearer, and noise.
-std::vector<FlowVector> with_obstacles(const Pair& pair, testing::Random& random) {
+/// Flow of the floor, with a third of the vectors on nearer objects, and noise.
+std::vector<FlowVector> with_obstacles(const Pair& pair, sim::HashRandom& random) {
     std::vector<FlowVector> vectors = testing::exact_vectors(pair);
     for (FlowVector& v : vectors) {
         if (v.at_px.x() > 400.0) v.flow_px *= 1.3;
@@ -104,16 +104,16 @@ std::vector<FlowVector> with_obstacles(const Pair& pair, testing::Random& random
 
 TEST(PoseError, VectorsThatDoNotMoveLikeTheFloorAreRejected) {
     const Pair pair = testing::drive(camera_with(1.0, 0.0, 0.0), 0.4, 8.0, cycle);
-    testing::Random random(3);
+    sim::HashRandom random(3);
     PoseEquations sum;
     for (int run = 0; run < 30; ++run)
         sum += fit(pair, with_obstacles(pair, random), pair.from.camera.mount).equations;
-    EXPECT_NEAR(solve(sum).correction_rad[0] / degree, 0.0, 0.08);
+    EXPECT_NEAR(solve(sum).correction_rad[0] / degree_rad, 0.0, 0.08);
 }
 
 TEST(PoseError, TheDeviationIsThatOfTheErrors) {
     const Pair pair = testing::drive(testing::standard_camera(), 0.4, 8.0, cycle);
-    testing::Random random(4);
+    sim::HashRandom random(4);
     double pulls2 = 0.0;
     constexpr int runs = 60;
     for (int run = 0; run < runs; ++run) {
@@ -130,8 +130,8 @@ TEST(PoseError, ARobotThatOnlyTurnsDoesNotTellThePose) {
     const Pair pair = testing::drive(testing::standard_camera(), 0.0, 20.0, cycle);
     const PoseCorrection found =
         solve(fit(pair, testing::exact_vectors(pair), testing::standard_camera().mount).equations);
-    EXPECT_GT(found.sigma_rad[0], 2.0 * degree);
-    EXPECT_LT(std::abs(found.correction_rad[0]), 0.2 * degree);
+    EXPECT_GT(found.sigma_rad[0], 2.0 * degree_rad);
+    EXPECT_LT(std::abs(found.correction_rad[0]), 0.2 * degree_rad);
 }
 
 TEST(PoseError, TooFewVectorsGiveNoEquations) {
@@ -147,7 +147,7 @@ TEST(PoseError, TheModelIsExactForFiniteMotionAndACameraOffTheAxis) {
     camera.mount.forward_m = 0.3;
     camera.mount.left_m = -0.1;
     Pair pair = testing::drive(camera, 0.5, 30.0, cycle);
-    pair.to.camera.mount.pitch_rad -= 0.1 * degree;
+    pair.to.camera.mount.pitch_rad -= 0.1 * degree_rad;
     const PairFit found = fit(pair, testing::exact_vectors(pair), pair.from.camera.mount);
     const RayMapper from(pair.from.camera);
     for (const FlowVector& v : testing::exact_vectors(pair)) {

@@ -1,15 +1,14 @@
-// What the finite displacements of a cycle of four images do to the equations as printed, with exact flow.
+// Errors of the equations as printed for the finite displacements of a cycle of four images, with exact flow.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "exact_samples.h"
+#include "flownav/math/units.h"
 #include "flownav/testing/camera.h"
 
 namespace flownav::motion {
 namespace {
-
-using testing::degree;
 
 constexpr int cycle = 4;
 
@@ -24,7 +23,7 @@ Errors errors_of(Geometry geometry, double omega_degps) {
     params.model = MotionModel::Yaw;
     const EgoMotion found = testing::estimate(pair, exact_samples(pair, geometry), params).motion;
     return {100.0 * (found.forward_m / pair.truth.forward_m - 1.0),
-            (found.omega_rad - pair.truth.omega_rad) / (cycle * testing::image_s) / degree};
+            (found.omega_rad - pair.truth.omega_rad) / (cycle * testing::image_s) / degree_rad};
 }
 
 TEST(PrintedMethod, AtTheBlockTheTravelOfAStraightDriveIsFourPercentTooLong) {
@@ -36,7 +35,7 @@ TEST(PrintedMethod, AtTheBlockTheTravelOfAStraightDriveIsFourPercentTooLong) {
 TEST(PrintedMethod, AtTheBlockATurnMakesItWorseAndSpoilsTheTurnRate) {
     const Errors errors = errors_of(Geometry::Block, 30.0);
     EXPECT_GT(errors.travel_percent, 7.0);
-    EXPECT_LT(errors.travel_percent, 13.0);  // it depends on how the blocks fill the ground window
+    EXPECT_LT(errors.travel_percent, 13.0);  // depends on the placement of the blocks in the ground window
     EXPECT_NEAR(errors.omega_degps, 0.28, 0.06);
 }
 

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "exact_samples.h"
+#include "flownav/math/units.h"
 #include "flownav/testing/camera.h"
 
 namespace flownav::motion {
 namespace {
 
 using Eigen::Vector2d;
-using testing::degree;
 
 TEST(RayFlow, IsTheDifferenceOfItsEndsAtTheirMiddle) {
     const RayMapper mapper(testing::standard_camera());
@@ -29,12 +29,12 @@ TEST(RayFlow, IsTakenAtTheReferenceBlockInThePrintedMethod) {
 
 TEST(RayFlow, BetweenFieldsOfDifferentParityARobotAtRestSeesNoFlow) {
     const CameraModel frame = testing::standard_camera();
-    const testing::View top{testing::field_camera(frame, testing::Parity::Top), {}, 0.0};
-    const testing::View bottom{testing::field_camera(frame, testing::Parity::Bottom), {}, 0.0};
+    const sim::View top{testing::field_camera(frame, testing::Parity::Top), {}, 0.0};
+    const sim::View bottom{testing::field_camera(frame, testing::Parity::Bottom), {}, 0.0};
     for (const Vector2d& at_px : {Vector2d(320, 100), Vector2d(50, 200)}) {
         const auto truth = exact_flow({}, top, bottom, at_px);
         ASSERT_TRUE(truth);
-        EXPECT_NEAR(truth->flow_px.y(), -0.5, 1e-9);  // in pixels the picture jumps by half a line
+        EXPECT_NEAR(truth->flow_px.y(), -0.5, 1e-9);  // in pixels the image jumps by half a line
         const RayFlow ray = ray_flow({at_px, truth->flow_px, {0.3, 0.3}, 1.0, true}, RayMapper(top.camera),
                                      RayMapper(bottom.camera), Geometry::MidPoint);
         EXPECT_LT(ray.flow.norm(), 1e-12);
@@ -82,8 +82,8 @@ TEST(PredictedGroundFlow, KnowsTheSwingOfACameraOffTheAxis) {
 
 TEST(PredictedGroundFlow, KnowsThePitch) {
     testing::Pair pair = testing::drive(testing::standard_camera(), 0.4, 0.0, 1);
-    pair.to.camera.mount.pitch_rad -= 0.3 * degree;
-    pair.truth = exact_motion(pair.from, pair.to);
+    pair.to.camera.mount.pitch_rad -= 0.3 * degree_rad;
+    pair.truth = testing::exact_motion(pair.from, pair.to);
     EXPECT_LT(worst_prediction_px(pair), 0.05);
 }
 

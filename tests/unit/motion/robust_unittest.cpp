@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "flownav/testing/random.h"
+#include "flownav/sim/random.h"
 
 namespace flownav::motion {
 namespace {
@@ -43,7 +43,7 @@ TEST(Shorth, DoesNotMoveWhenLessThanHalfOfTheValuesAreWild) {
 }
 
 TEST(RobustDeviation, OfGaussianValuesIsTheirDeviation) {
-    testing::Random random(3);
+    sim::HashRandom random(3);
     std::vector<double> values(20001);
     for (double& value : values) value = random.normal(2.0);
     EXPECT_NEAR(deviation_of(values), 2.0, 0.06);

@@ -4,21 +4,21 @@
 
 #include <cmath>
 
+#include "flownav/sim/random.h"
 #include "flownav/testing/camera.h"
-#include "flownav/testing/random.h"
 
 namespace flownav::motion {
 namespace {
 
 using Eigen::Vector2d;
 
-/// How a robot moves from one image to the other; the chord points along half the turn.
+/// Motion of a robot between two images; the chord points along half the turn.
 struct Motion {
     double forward_m = 0.0;
     double omega_rad = 0.0;
 };
 
-/// A camera above a floor, in plain trigonometry: nothing of it comes from the code under test.
+/// A camera above a floor by plain trigonometry, independent of the code under test.
 class Floor {
   public:
     explicit Floor(const CameraModel& camera = testing::standard_camera()) : camera_(camera) {}
@@ -51,7 +51,7 @@ class Floor {
                                   std::abs(pixel_px.x() - camera_.width_px / 2.0) < camera_.width_px / 3.0;
         return sample;
     }
-    /// Samples all over the lower two thirds of the image.
+    /// Samples over the lower two thirds of the image.
     std::vector<MotionSample> samples(const Motion& motion) const {
         constexpr int step_px = 30;
         std::vector<MotionSample> all;
@@ -79,7 +79,7 @@ Travel travel_of(const std::vector<MotionSample>& samples, double omega_rad = 0.
     return fit_travel(samples, Floor().camera(), {1.0, 0.0}, rotation, {}, scratch);
 }
 
-/// Those of the samples inside or outside the ground window, at most `count`.
+/// At most `count` of the samples inside or outside the ground window.
 std::vector<MotionSample> some(const std::vector<MotionSample>& samples, bool in_window, std::size_t count) {
     std::vector<MotionSample> chosen;
     for (const MotionSample& s : samples) {
@@ -119,7 +119,7 @@ TEST(FitTravel, OfARobotThatStandsItIsZeroAndMeasured) {
 TEST(FitTravel, ThingsThatStandOnTheFloorDoNotMoveIt) {
     for (const double forward_m : {0.064, -0.064}) {
         std::vector<MotionSample> samples = Floor().samples({forward_m, 0.0});
-        testing::Random random(21);
+        sim::HashRandom random(21);
         int wild = 0;
         for (MotionSample& s : samples) {
             if (random.uniform(0, 1) > 0.35) continue;
@@ -182,7 +182,7 @@ TEST(FitTravel, WhereTheWindowShowsLittleAllOfTheFloorThatSaysTheSameIsUsed) {
 TEST(FitTravel, ItsDeviationIsThatOfItsErrors) {
     const Floor floor;
     const std::vector<MotionSample> exact = floor.samples({0.064, 0.0});
-    testing::Random random(22);
+    sim::HashRandom random(22);
     const double sigma = 0.3 / floor.camera().fx_px;
     double mean2 = 0.0;
     constexpr int runs = 100;

@@ -63,7 +63,7 @@ TEST(CollisionFreeDistance, AnArcToTheLeftMeetsWhatStandsLeft) {
 
 TEST(CollisionFreeDistance, TurningOnTheSpotEndsWhereACornerTouches) {
     COccupancyGridMap2D map = free_map();
-    fill(map, 0.26, 0.29, 0.01, 0.04, 0.1F);  // right before the bumper: no corner reaches farther
+    fill(map, 0.26, 0.29, 0.01, 0.04, 0.1F);  // right before the bumper, where no corner reaches farther
     const CollisionFreeDistance left = way(map, {0.0, 0.5});
     const CollisionFreeDistance right = way(map, {0.0, -0.5});
     EXPECT_GT(left.occupied, 0.1);
@@ -74,7 +74,7 @@ TEST(CollisionFreeDistance, TurningOnTheSpotEndsWhereACornerTouches) {
 
 TEST(CollisionFreeDistance, UnseenGroundIsFoundBehindTheBlindStrip) {
     COccupancyGridMap2D map = free_map();
-    fill(map, 0.25, 0.6, -0.3, 0.3, 0.5F);  // right before the bumper: no camera sees it
+    fill(map, 0.25, 0.6, -0.3, 0.3, 0.5F);  // right before the bumper, out of view of any camera
     EXPECT_EQ(way(map, {0.4, 0.0}).unseen, CollisionFreeParams().length_m);
     fill(map, 1.5, 4.0, -1.0, 1.0, 0.5F);
     EXPECT_NEAR(way(map, {0.4, 0.0}).unseen, 1.5 - 0.25, 0.12);
@@ -101,14 +101,14 @@ TEST(CollisionFreeDistance, KindsFollowTheLimits) {
     map.setCell(0, 0, 0.1F);
     map.setCell(1, 0, 0.4F);
     map.setCell(2, 0, 0.5F);
-    const std::vector<CellKind> kinds = kinds_of(map, CellLimits());
+    const std::vector<CellKind> kinds = kinds_of(map, mapping::OccupancyLimits());
     EXPECT_EQ(kinds[0], CellKind::Occupied);
     EXPECT_EQ(kinds[1], CellKind::Weak);
     EXPECT_EQ(kinds[2], CellKind::Unknown);
     EXPECT_EQ(kinds[3], CellKind::Free);
 }
 
-/// A robot that is longer than the map around it.
+/// The robot is longer than the map around it.
 TEST(CollisionFreeDistance, OfARobotThatReachesBeyondTheMapOnAllSides) {
     const Polygon large = {{-1.5, -1.5}, {1.5, -1.5}, {1.5, 1.5}, {-1.5, 1.5}};
     const FootprintField field_of_large(large, 0.1);
@@ -116,7 +116,8 @@ TEST(CollisionFreeDistance, OfARobotThatReachesBeyondTheMapOnAllSides) {
     map.fill(0.9F);
     for (const MotionCommand& command :
          {MotionCommand{0.4, 0.0}, {-0.1, 0.0}, {0.4, 0.3}, {0.0, 0.5}, {0.0, -0.5}}) {
-        const CollisionFreeDistance way = collision_free_distance(field_of_large, map, command, CollisionFreeParams());
+        const CollisionFreeDistance way =
+            collision_free_distance(field_of_large, map, command, CollisionFreeParams());
         EXPECT_LE(way.unseen, 0.6) << "nobody saw what lies outside the map";
         EXPECT_GE(way.occupied, 1.0) << "nothing stands in the map";
     }

@@ -17,17 +17,17 @@ constexpr float occupied_cell = 0.1F;
 constexpr double cell_m = 0.05;
 constexpr int columns = 60;
 constexpr int rows = 40;
-// Half the width of the default robot, and the margin.
+// Half the width of the default robot plus the margin.
 constexpr double closed_m = 0.2 + 0.07;
 
-/// Free ground, 3 m long and 2 m wide, whose corner is at (-1, -0.5).
+/// Free ground, 3 m long and 2 m wide, with its corner at (-1, -0.5).
 COccupancyGridMap2D free_map() {
     COccupancyGridMap2D map(-1.0F, 2.0F, -0.5F, 1.5F, static_cast<float>(cell_m));
     map.fill(free_cell);
     return map;
 }
 
-/// The cells of free_map() and `border` more on every side.
+/// The cells of free_map() extended by `border` on every side.
 GridArea area_with(int border) {
     GridArea area;
     area.cell_m = cell_m;
@@ -86,7 +86,8 @@ TEST(CostMap, NoRobotFitsNearerThanHalfItsWidthAndTheMargin) {
     const CostMap costs = costs_of(map);
     for_every_cell([&](const Vector2i& cell) {
         const double distance_m = (cell - post).cast<double>().norm() * cell_m;
-        if (std::abs(distance_m - closed_m) < 0.01) return;  // distances of the raster are 3 % off
+        // The distances of the raster have an error of 3 %.
+        if (std::abs(distance_m - closed_m) < 0.01) return;
         EXPECT_EQ(costs.is_closed(cell), distance_m < closed_m) << distance_m << " m away";
     });
 }
@@ -156,7 +157,7 @@ TEST(CostMap, AvoidedPlacesNeverCloseAWayNorOpenOne) {
     const CostMap plain = costs_of(map);
     PlanParams params;
     params.avoid_m.assign(30, plain.area().middle_of({20, 20}));
-    params.avoid_m.emplace_back(-1.1, -0.6);  // beside the area
+    params.avoid_m.emplace_back(-1.1, -0.6);  // outside the area
     const CostMap avoided = costs_of(map, params);
     for_every_cell([&](const Vector2i& cell) {
         EXPECT_EQ(avoided.is_closed(cell), plain.is_closed(cell));

@@ -29,7 +29,7 @@ COccupancyGridMap2D Course::local_map(const Pose2& T_map_robot) const {
                 const int column = map.x2idx(x);
                 const int row = map.y2idx(y);
                 if (std::max(std::abs(x), std::abs(y)) >= half) continue;
-                // Every cell that the post has a part in, more or less.
+                // Marks every cell that the post covers at least in part, approximately.
                 const Vector2d cell(map.idx2x(column), map.idx2y(row));
                 if ((cell - middle).norm() < post.radius_m + 0.4 * cell_m) map.setCell(column, row, 0.1F);
             }

@@ -22,7 +22,7 @@ COccupancyGridMap2D map_with(const Vector2d& at_m, float p_free) {
     return map;
 }
 
-/// What is remembered of an obstacle at a place, after maps that do not show it any more.
+/// Remembered state of a place with an obstacle, after maps that no longer show it.
 Ground after(const Vector2d& obstacle_m, double silent_s, const Pose2& T_map_robot = here) {
     GroundMemory memory{GroundMemoryParams{}};
     memory.note(map_with(obstacle_m, 0.1F), 0.0, here);
@@ -56,6 +56,21 @@ TEST(GroundMemory, GroundThatIsSeenFreeIsNoObstacleAnyMore) {
     EXPECT_EQ(memory.at(beside_m, 1.0), Ground::Free);
 }
 
+TEST(GroundMemory, TheLimitsOfTheGuardDecideWhatIsAnObstacleAndWhatIsFree) {
+    const auto ground_of = [](float p_free, double obstacle_below, double free_above) {
+        GroundMemoryParams params;
+        params.limits.guard_obstacle_below = obstacle_below;
+        params.limits.guard_free_above = free_above;
+        GroundMemory memory(params);
+        memory.note(map_with({1.05, 0.05}, p_free), 0.0, here);
+        return memory.at(Vector2d(1.05, 0.05), 0.0);
+    };
+    EXPECT_EQ(ground_of(0.38F, 0.4, 0.55), Ground::Occupied);
+    EXPECT_EQ(ground_of(0.38F, 0.35, 0.55), Ground::Unknown);
+    EXPECT_EQ(ground_of(0.6F, 0.4, 0.55), Ground::Free);
+    EXPECT_EQ(ground_of(0.6F, 0.4, 0.65), Ground::Unknown);
+}
+
 TEST(GroundMemory, WhereTheRobotStandsNothingElseDoes) {
     GroundMemory memory{GroundMemoryParams{}};
     memory.note(map_with({0.05, 0.05}, 0.1F), 0.0, here);
@@ -63,7 +78,7 @@ TEST(GroundMemory, WhereTheRobotStandsNothingElseDoes) {
     EXPECT_EQ(memory.at(Vector2d(0.05, 0.05), 1.0), Ground::Driven);
 }
 
-/// A map whose first column and row are occupied says nothing of the strip of a cell outside it.
+/// A map whose first column and row are occupied has no data for the strip of cells outside it.
 TEST(GroundMemory, BesideTheMapNothingIsKnown) {
     COccupancyGridMap2D map = silent_map();
     for (unsigned i = 0; i < map.getSizeX(); ++i) {

@@ -13,8 +13,7 @@
 
 namespace flownav::nav {
 
-/// A robot that obeys its model to the letter, in steps of a millisecond; written apart from the guard's own
-/// forecast.
+/// A robot that follows its model exactly, in steps of 1 ms; independent of the guard's own forecast.
 class ModelRobot {
   public:
     explicit ModelRobot(RobotModel robot) : robot_(std::move(robot)) {}
@@ -52,7 +51,7 @@ class ModelRobot {
     std::deque<TimedCommand> commands_;
 };
 
-/// Everything the guard hears of in one tick; tests break what they like.
+/// Input of the guard in one tick; tests inject faults here.
 struct Tick {
     double time_s = 0.0;
     SensorReport report;
@@ -70,19 +69,20 @@ inline mrpt::maps::COccupancyGridMap2D known_ground(float p_free = 0.9F) {
     return map;
 }
 
-/// A robot under guard on ideal sensors: fields at 50 Hz, the guard too, a map in every tenth tick.
+/// A robot under guard with ideal sensors: fields and guard at 50 Hz, a map every tenth tick.
 class Drive {
   public:
     explicit Drive(const GuardParams& params = {}, const RobotModel& robot_model = {})
         : model(robot_model), robot(robot_model), guard(robot_model, params) {}
 
-    /// Drives on for `seconds`; `change` may break each tick before the guard hears of it.
+    /// Continues the drive for `seconds`; `change` may alter each tick before the guard receives it.
     void go(double seconds, const std::function<void(Tick&)>& change = {}) {
         const double end_s = robot.time_s() + seconds;
         while (robot.time_s() + 1e-6 < end_s) tick(change);
     }
 
-    /// Cells of `walls` (map frame) are occupied in the local map, the rest has `elsewhere`.
+    /// Local map in which the cells of `walls` (map frame) are occupied and all others have the value
+    /// `elsewhere`.
     mrpt::maps::COccupancyGridMap2D local_map() const {
         mrpt::maps::COccupancyGridMap2D map = known_ground(elsewhere);
         for (const Eigen::Vector2d& wall : walls_m) {
@@ -125,7 +125,7 @@ class Drive {
         report.timestamp_s = robot.time_s();
         report.status = ticks_ == 0 ? FieldStatus::Waiting : FieldStatus::Ok;
         report.end_of_cycle = ticks_ % 10 == 0;
-        // A camera is never without noise.
+        // Adds the noise of a real camera.
         report.omega_radps = ticks_ == 0 ? 0.0 : wrap_angle(robot.pose().yaw_rad - field_.yaw_rad) / 0.02;
         report.omega_radps += 1e-3 * std::cos(ticks_);
         const Pose2 moved = compose(inverse(cycle_), robot.pose());

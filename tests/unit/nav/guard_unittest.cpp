@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 constexpr double reaction_s = 0.3;
 constexpr double tick_s = 0.02;
 
-/// Cells 5 cm apart along a segment.
+/// Adds wall points 5 cm apart along a segment.
 void build(Drive& drive, const Vector2d& from_m, const Vector2d& to_m) {
     const int cells = static_cast<int>(std::ceil((to_m - from_m).norm() / 0.05));
     for (int i = 0; i <= cells; ++i)
@@ -30,7 +30,7 @@ double distance_to_walls_m(const Drive& drive) {
     return nearest;
 }
 
-/// Time and way until the robot stands, at most 3 s.
+/// Time and distance until the robot stands, at most 3 s.
 struct Halt {
     double time_s = 0.0;
     double way_m = 0.0;
@@ -221,8 +221,8 @@ TEST(Guard, AfterADoubtItCrawlsUntilFlowAndWheelsAgree) {
     const Pose2 before = drive.robot.pose();
     drive.go(20.0, frozen);
     const double probed_m = drive.robot.pose().x_m - before.x_m;
-    EXPECT_GT(probed_m, 0.02);  // it tries,
-    EXPECT_LT(probed_m, 0.4);   // now and then
+    EXPECT_GT(probed_m, 0.02);  // it probes
+    EXPECT_LT(probed_m, 0.4);   // at intervals
     drive.go(10.0);
     EXPECT_NEAR(drive.robot.motion().v_mps, 0.4, 1e-9);
 }
@@ -233,10 +233,10 @@ TEST(Guard, StandsBeforeAWallAndSaysSo) {
     drive.go(15.0);
     EXPECT_EQ(drive.safety.reason, GuardReason::ObstacleAhead);
     EXPECT_GT(distance_to_walls_m(drive), 0.0);
-    EXPECT_LT(distance_to_walls_m(drive), 0.12);  // and not farther than it must
+    EXPECT_LT(distance_to_walls_m(drive), 0.12);  // and no farther than necessary
     drive.wish = {-0.1, 0.0};
     drive.go(1.0);
-    EXPECT_EQ(drive.safety.action, GuardAction::Pass) << drive.safety.why;  // away from it
+    EXPECT_EQ(drive.safety.action, GuardAction::Pass) << drive.safety.why;  // it may drive away
 }
 
 TEST(Guard, TheSpeedBeforeAWallIsTheOneThatStopsInTime) {
@@ -261,19 +261,19 @@ TEST(Guard, SlowsBeforeGroundThatWasNeverSeen) {
     drive.elsewhere = 0.5F;
     drive.go(3.0);
     EXPECT_EQ(drive.safety.reason, GuardReason::UnseenAhead);
-    EXPECT_GT(drive.robot.pose().x_m, 0.1);  // it has to move to see,
+    EXPECT_GT(drive.robot.pose().x_m, 0.1);  // it moves to see the ground
     EXPECT_LE(drive.robot.motion().v_mps, GuardParams().collision_checker.crawl_mps + 1e-9);
     drive.go(20.0);
-    EXPECT_EQ(drive.safety.action, GuardAction::Stop);  // but not for ever
+    EXPECT_EQ(drive.safety.action, GuardAction::Stop);  // but not indefinitely
     EXPECT_LT(drive.robot.pose().x_m, GuardParams().crawl_max_m + 0.1);
     drive.wish = {-0.1, 0.0};
     drive.go(1.0);
-    EXPECT_LT(drive.robot.motion().v_mps, 0.0);  // back over its own way
+    EXPECT_LT(drive.robot.motion().v_mps, 0.0);  // back over ground it has driven
 }
 
 TEST(Guard, ABlindStripBeforeTheBumperIsCrawledOver) {
     Drive drive;
-    // Free ground is seen from half a metre ahead of the bumper on.
+    // Free ground is visible from half a metre ahead of the bumper.
     drive.go(8.0, [&](Tick& tick) {
         if (tick.map == nullptr) return;
         *tick.map = known_ground(0.5F);
@@ -285,7 +285,7 @@ TEST(Guard, ABlindStripBeforeTheBumperIsCrawledOver) {
             EXPECT_LE(drive.robot.motion().v_mps, 0.1 + 1e-9);
         }
     });
-    EXPECT_NEAR(drive.robot.motion().v_mps, 0.4, 1e-9);  // what it came to see it drives on
+    EXPECT_NEAR(drive.robot.motion().v_mps, 0.4, 1e-9);  // full speed once the ground is seen
 }
 
 TEST(Guard, TurnsInPlaceOnlyWhenTheCornersAreFree) {

@@ -31,7 +31,7 @@ Vector2d middle_of(const LaneTables& of, std::uint32_t index) {
     return of.grid.middle_of(of.grid.cell_at(index));
 }
 
-/// Distance of the footprint to a point after some way along a lane.
+/// Distance of the footprint to a point after `way_m` along a lane.
 double distance_m(const LaneTables& of, const Lane& lane, double way_m, const Vector2d& point_m) {
     const Pose2 turned{0.0, 0.0, lane.heading_rad};
     const Pose2 there = compose(turned, pose_after({1.0, lane.curvature_1pm}, way_m));
@@ -47,11 +47,11 @@ double nearest_m(const LaneTables& of, const Lane& lane, double end_m, const Vec
 
 constexpr double accuracy_m = 0.008;
 
-/// Against the footprint moved in fine steps.
+/// Compares a lane with the footprint moved in fine steps.
 void expect_as_swept(const LaneTables& of, const Lane& lane) {
     std::map<std::uint32_t, LaneCell> cells;
     for (const LaneCell& cell : lane.cells) cells[cell.index] = cell;
-    EXPECT_EQ(cells.size(), lane.cells.size());  // every cell once
+    EXPECT_EQ(cells.size(), lane.cells.size());  // every cell appears once
     for (int row = 0; row < of.grid.rows; ++row) {
         for (int column = 0; column < of.grid.columns; ++column) {
             const Vector2d p = of.grid.middle_of({column, row});
@@ -89,7 +89,7 @@ TEST(LaneTables, LanesAreTheSweptFootprint) {
 }
 
 TEST(LaneTables, AFootprintMayHaveAnyShape) {
-    RobotModel arrow;  // with a notch, and not symmetric
+    RobotModel arrow;  // with a notch, and asymmetric
     arrow.footprint_m = {{0.5, 0.0}, {-0.3, 0.35}, {-0.1, 0.0}, {-0.2, -0.2}};
     const LaneTables made = make_lane_tables(arrow, small_layout());
     expect_as_swept(made, made.lanes[2]);
@@ -121,8 +121,8 @@ TEST(LaneTables, LeftAndRightAreMirrored) {
 }
 
 TEST(LaneTables, ACellBesideTheRobotOnlyCountsWhenTheRobotComesNearer) {
-    // Beside the left rear wheel: straight on leaves it, a hard left turn swings nothing into it, a hard
-    // right turn swings the rear into it.
+    // A point beside the left rear wheel: not touched on a straight lane, hit by the rear in a hard right
+    // turn.
     const auto way_to = [](const Lane& lane, const Vector2d& p) -> int {
         for (const LaneCell& cell : lane.cells)
             if (cell.gap == 0 && (middle_of(tables(), cell.index) - p).norm() < 0.01) return cell.way;

@@ -65,7 +65,7 @@ TEST(Lanes, OnceTurningItTurnsUntilTheWayPointIsAhead) {
 }
 
 TEST(Lanes, ItTurnsOnTheSpotOnlyWhereTheCornersFindRoom) {
-    Course course;  // a post that the left turn would hit, a little beyond the front left corner
+    Course course;  // a post in the left turn, a little beyond the front left corner
     course.add(0.1, 0.33, 0.03);
     const LaneDecision decision = choose(course, {-2.0, 0.05});
     EXPECT_EQ(decision.command.v_mps, 0.0);
@@ -93,7 +93,7 @@ TEST(Lanes, AWeakHitCostsButDoesNotBlock) {
     const LaneView& straight = across.lanes[across.lanes.size() / 2];
     EXPECT_EQ(straight.free_m, tables().lanes[across.lanes.size() / 2].length_m);
     EXPECT_LT(straight.sure, 1.0);
-    // The same twice over is an obstacle.
+    // Twice the evidence makes it an obstacle.
     for (double y = -0.3; y < 0.3; y += 0.02) map.setPos(1.0F, static_cast<float>(y), 0.24F);
     const LaneDecision before = choose_lane(tables(), map, {3.0, 0.0}, {}, LaneParams());
     EXPECT_LT(before.lanes[before.lanes.size() / 2].free_m, 0.8);
@@ -117,9 +117,9 @@ TEST(Lanes, UnseenGroundSlows) {
 TEST(Lanes, SeenGroundIsPreferred) {
     for (const double side : {1.0, -1.0}) {
         Course course;
-        course.add(1.5, 0.0);  // right ahead: left and right are equal
+        course.add(1.5, 0.0);  // right ahead: left and right are equivalent
         auto map = course.local_map({});
-        for (double x = 0.8; x < 4.0; x += 0.05)  // but one side is unseen
+        for (double x = 0.8; x < 4.0; x += 0.05)  // one side is unseen
             for (double y = 0.1; y < 3.0; y += 0.05)
                 map.setPos(static_cast<float>(x), static_cast<float>(side * y), 0.5F);
         EXPECT_LT(choose_lane(tables(), map, {3.0, 0.0}, {}, LaneParams()).command.omega_radps * side, 0.0);
@@ -143,7 +143,7 @@ TEST(Lanes, ItSlowsDownTowardTheWayPoint) {
     EXPECT_GE(choose({}, {0.05, 0.0}, {0.3, 0.0}).command.v_mps, 0.1);
 }
 
-/// Posts at random, some of them near.
+/// Random posts, some of them near.
 Course random_course(std::uint64_t seed) {
     std::mt19937_64 random(seed);
     const auto between = [&random](double low, double high) {
@@ -194,7 +194,7 @@ TEST(Lanes, TheSameQuestionHasTheSameAnswer) {
 
 TEST(Lanes, ThePresentTurnIsKeptWhenItIsAsGood) {
     Course course;
-    course.add(1.5, 0.0);  // right ahead: left and right are equal
+    course.add(1.5, 0.0);  // right ahead: left and right are equivalent
     EXPECT_GT(choose(course, {3.0, 0.0}, {0.4, 0.2}).command.omega_radps, 0.0);
     EXPECT_LT(choose(course, {3.0, 0.0}, {0.4, -0.2}).command.omega_radps, 0.0);
 }

@@ -23,29 +23,27 @@ RobotModel robot_of(double v_max_mps) {
     return robot;
 }
 
-NavigatorOptions options_of(NavigatorKind kind, const RobotModel& robot = robot_of(0.5)) {
+NavigatorOptions options_of(const RobotModel& robot = robot_of(0.5)) {
     NavigatorOptions options;
-    options.kind = kind;
     options.robot = robot;
     options.resolution_m = Course().cell_m;
     return options;
 }
 
-class Navigators : public testing::TestWithParam<NavigatorKind> {
+class Navigators : public testing::TestWithParam<const char*> {
   protected:
     Drive run(const Course& course, const Vector2d& waypoint_m, double seconds,
               const RobotModel& robot = robot_of(0.5), double period_s = 0.2) const {
-        NavigatorOptions options = options_of(GetParam(), robot);
+        NavigatorOptions options = options_of(robot);
         options.period_s = period_s;
-        const auto navigator = make_navigator(options);
+        const auto navigator = make_navigator(GetParam(), options);
         return drive(*navigator, robot, course, {}, waypoint_m, seconds, period_s);
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Both, Navigators, testing::Values(NavigatorKind::Lanes, NavigatorKind::Reactive),
-                         [](const auto& test) {
-                             return test.param == NavigatorKind::Lanes ? "Lanes" : "Reactive";
-                         });
+INSTANTIATE_TEST_SUITE_P(Both, Navigators, testing::Values("lanes", "reactive"), [](const auto& test) {
+    return std::string(test.param) == "lanes" ? "Lanes" : "Reactive";
+});
 
 TEST_P(Navigators, OverFreeGroundTheyGoStraight) {
     const Drive drive = run({}, {4.0, 0.0}, 15.0);
@@ -55,7 +53,7 @@ TEST_P(Navigators, OverFreeGroundTheyGoStraight) {
 }
 
 TEST_P(Navigators, AroundAWallOfPostsTheyReachTheWayPointWithoutContact) {
-    const auto navigator = make_navigator(options_of(GetParam()));
+    const auto navigator = make_navigator(GetParam(), options_of());
     for (const double side : {1.0, -1.0}) {
         Course course;
         course.add_wall({2.0, -0.6 * side}, {2.0, 0.5 * side});
@@ -90,7 +88,7 @@ TEST_P(Navigators, WithShorterPeriodsTheyDriveAsWell) {
 }
 
 TEST_P(Navigators, WithoutKnowledgeOfObstaclesTheyStandAndGoOnWhenItReturns) {
-    const auto navigator = make_navigator(options_of(GetParam()));
+    const auto navigator = make_navigator(GetParam(), options_of());
     const auto map = Course().local_map({});
     Situation situation{0.0, {}, {}, &map, true};
     EXPECT_GT(navigator->decide(situation, {3.0, 0.0}).command.v_mps, 0.0);
@@ -111,7 +109,7 @@ TEST_P(Navigators, WithoutKnowledgeOfObstaclesTheyStandAndGoOnWhenItReturns) {
 TEST_P(Navigators, UnseenGroundSlowsThem) {
     Course unseen;
     unseen.p_elsewhere = 0.5F;
-    const auto navigator = make_navigator(options_of(GetParam()));
+    const auto navigator = make_navigator(GetParam(), options_of());
     const auto map = unseen.local_map({});
     const Decision decision = navigator->decide({0.0, {}, {0.5, 0.0}, &map, true}, {3.0, 0.0});
     EXPECT_GT(decision.command.v_mps, 0.0);
@@ -124,7 +122,7 @@ TEST_P(Navigators, EnclosedTheyAreStuck) {
     course.add_wall({-0.4, 0.40}, {0.4, 0.40});
     course.add_wall({-0.4, -0.40}, {0.4, -0.40});
     course.add_wall({-0.44, -0.4}, {-0.44, 0.4});
-    const auto navigator = make_navigator(options_of(GetParam()));
+    const auto navigator = make_navigator(GetParam(), options_of());
     const auto map = course.local_map({});
     Decision decision;
     for (int i = 0; i < 3; ++i) decision = navigator->decide({0.2 * i, {}, {}, &map, true}, {3.0, 0.0});
@@ -133,7 +131,7 @@ TEST_P(Navigators, EnclosedTheyAreStuck) {
 }
 
 TEST_P(Navigators, AtTheWayPointTheyStandAndAreNotStuck) {
-    const auto navigator = make_navigator(options_of(GetParam()));
+    const auto navigator = make_navigator(GetParam(), options_of());
     const auto map = Course().local_map({});
     navigator->decide({0.0, {}, {}, &map, true}, {1.0, 0.0});
     const Decision decision = navigator->decide({0.2, {}, {}, &map, true}, {0.02, 0.0});
@@ -143,7 +141,7 @@ TEST_P(Navigators, AtTheWayPointTheyStandAndAreNotStuck) {
 }
 
 TEST_P(Navigators, ANewWayPointEveryTimeStopsNothing) {
-    const auto navigator = make_navigator(options_of(GetParam()));
+    const auto navigator = make_navigator(GetParam(), options_of());
     const auto map = Course().local_map({});
     for (int i = 0; i < 20; ++i) {
         const Pose2 at{0.1 * i, 0.0, 0.0};
@@ -170,7 +168,7 @@ TEST_P(Navigators, TheySayNothingOnTheConsole) {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
     {
-        const auto navigator = make_navigator(options_of(GetParam()));
+        const auto navigator = make_navigator(GetParam(), options_of());
         const auto map = Course().local_map({});
         navigator->decide({0.0, {}, {}, &map, true}, {3.0, 0.0});
         navigator->decide({0.2, {}, {}, &map, false}, {3.0, 0.0});
@@ -181,15 +179,15 @@ TEST_P(Navigators, TheySayNothingOnTheConsole) {
 }
 
 TEST_P(Navigators, TheNavlogCanBeReadBack) {
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) /
-                                         ("navlog_" + std::to_string(static_cast<int>(GetParam())));
+    const std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) / ("navlog_" + std::string(GetParam()));
     std::filesystem::remove_all(folder);
     {
-        NavigatorOptions options = options_of(GetParam());
+        NavigatorOptions options = options_of();
         options.navlog_dir = folder.string();
         Course course;
         course.add(1.5, 0.05);
-        const auto navigator = make_navigator(options);
+        const auto navigator = make_navigator(GetParam(), options);
         drive(*navigator, options.robot, course, {}, {3.0, 0.0}, 1.0);
     }
     mrpt::io::CFileGZInputStream file((folder / "log_000.reactivenavlog").string());
@@ -198,7 +196,7 @@ TEST_P(Navigators, TheNavlogCanBeReadBack) {
     for (int i = 0; i < 5; ++i) {
         const auto record = archive.ReadObject<mrpt::nav::CLogFileRecord>();
         EXPECT_GT(record->WS_Obstacles.size(), 0U);
-        // The viewer draws the paths of the first record's generators.
+        // The viewer takes the paths from the generators of the first record.
         EXPECT_EQ(static_cast<bool>(record->infoPerPTG.at(0).ptg), i == 0);
         EXPECT_EQ(record->robotShape_x.size(), 4);
         ASSERT_TRUE(record->cmd_vel);
@@ -215,9 +213,9 @@ TEST_P(Navigators, TheWatchdogIsStartedAndFed) {
         double period_s_ = 0.0;
         int alive_ = 0;
     } watchdog;
-    NavigatorOptions options = options_of(GetParam());
+    NavigatorOptions options = options_of();
     options.watchdog = &watchdog;
-    const auto navigator = make_navigator(options);
+    const auto navigator = make_navigator(GetParam(), options);
     const auto map = Course().local_map({});
     navigator->decide({0.0, {}, {}, &map, true}, {3.0, 0.0});
     navigator->decide({0.2, {}, {}, &map, true}, {3.0, 0.0});
@@ -228,7 +226,7 @@ TEST_P(Navigators, TheWatchdogIsStartedAndFed) {
 TEST_P(Navigators, ASimulatedClockFollowsTheSituation) {
     mrpt::Clock::setSimulatedTime(mrpt::Clock::fromDouble(1.0));
     mrpt::Clock::setActiveClock(mrpt::Clock::Simulated);
-    const auto navigator = make_navigator(options_of(GetParam()));
+    const auto navigator = make_navigator(GetParam(), options_of());
     const auto map = Course().local_map({});
     navigator->decide({42.0, {}, {}, &map, true}, {3.0, 0.0});
     EXPECT_NEAR(mrpt::Clock::nowDouble(), 42.0, 1e-6);
@@ -245,7 +243,7 @@ Course gap(double width_m) {
 
 TEST(LaneNavigator, AGapAsWideAsTheRobotAndTenCentimetresIsPassed) {
     const RobotModel robot = robot_of(0.5);
-    const auto navigator = make_navigator(options_of(NavigatorKind::Lanes, robot));
+    const auto navigator = make_navigator("lanes", options_of(robot));
     const Drive through = drive(*navigator, robot, gap(0.5), {}, {5.0, 0.0}, 40.0);
     EXPECT_TRUE(through.reached);
     EXPECT_GT(through.clearance_m, 0.0);
@@ -254,7 +252,7 @@ TEST(LaneNavigator, AGapAsWideAsTheRobotAndTenCentimetresIsPassed) {
 TEST(LaneNavigator, ARobotThatIsTooWideStaysOutOfTheGap) {
     RobotModel wide = robot_of(0.5);
     wide.footprint_m = {{0.25, 0.3}, {-0.25, 0.3}, {-0.25, -0.3}, {0.25, -0.3}};
-    const auto navigator = make_navigator(options_of(NavigatorKind::Lanes, wide));
+    const auto navigator = make_navigator("lanes", options_of(wide));
     const Drive before = drive(*navigator, wide, gap(0.5), {}, {5.0, 0.0}, 25.0);
     EXPECT_FALSE(before.reached);
     EXPECT_GT(before.clearance_m, 0.01);
@@ -263,8 +261,8 @@ TEST(LaneNavigator, ARobotThatIsTooWideStaysOutOfTheGap) {
 TEST(LaneNavigator, ItDoesNotDither) {
     const RobotModel robot = robot_of(0.5);
     Course course;
-    course.add(2.0, 0.0);  // left and right are equal
-    const auto navigator = make_navigator(options_of(NavigatorKind::Lanes, robot));
+    course.add(2.0, 0.0);  // left and right are equivalent
+    const auto navigator = make_navigator("lanes", options_of(robot));
     const Drive past = drive(*navigator, robot, course, {}, {4.0, 0.0}, 25.0);
     EXPECT_TRUE(past.reached);
     EXPECT_LE(past.turns, 4);

@@ -20,7 +20,7 @@ Pose2 steady(const MotionCommand& motion, double time_s) {
     return {radius_m * std::sin(turn_rad), radius_m * (1.0 - std::cos(turn_rad)), turn_rad};
 }
 
-/// A watch fed by wheels and flow, each with a steady motion of its own: fields at 25 Hz in cycles of four,
+/// A watch with wheels and flow that move steadily and independently: fields at 25 Hz in cycles of four,
 /// odometry at 50 Hz or less.
 struct Drive {
     OdometryWatch watch{RobotModel(), OdometryWatchParams()};
@@ -29,13 +29,13 @@ struct Drive {
     int odometry_every = 1;
     bool repeats = false;
     bool measures_v = true;
-    Pose2 T_odom_begin;  ///< moves when `wheels` changes or the pose jumps
+    Pose2 T_odom_begin;  ///< changes with the motion of the wheels and at pose jumps
     double begin_s = 0.0;
     double time_s = 0.0;
     int ticks = 0;
 
     Pose2 pose() const { return compose(T_odom_begin, steady(wheels, time_s - begin_s)); }
-    /// Goes on with other motions of wheels and flow.
+    /// Continues with other motions of wheels and flow.
     void change(const MotionCommand& by_wheels, const MotionCommand& by_flow) {
         T_odom_begin = pose();
         begin_s = time_s;

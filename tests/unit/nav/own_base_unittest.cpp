@@ -18,7 +18,7 @@ std::string text_of(const std::string& path) {
     return text.str();
 }
 
-/// The other end of the serial line.
+/// The motor controller at the other end of the serial line.
 class Controller {
   public:
     Controller() : file_(::posix_openpt(O_RDWR | O_NOCTTY)) {
@@ -43,7 +43,7 @@ class Controller {
 };
 
 TEST(OwnBase, TheExampleOfTheDocumentationIsTheOneThatIsTested) {
-    const std::string example = text_of(std::string(FLOWNAV_SOURCE) + "/tests/unit/nav/own_base.h");
+    const std::string example = text_of(std::string(FLOWNAV_SOURCE) + "/share/examples/own_base.h");
     const std::string page = text_of(std::string(FLOWNAV_SOURCE) + "/share/doc/robot.md");
     EXPECT_LT(std::count(example.begin(), example.end(), '\n'), 100);
     EXPECT_NE(page.find("```cpp\n" + example + "```"), std::string::npos);

@@ -11,7 +11,7 @@ using mrpt::maps::COccupancyGridMap2D;
 constexpr float free_cell = 0.9F;
 constexpr float occupied_cell = 0.1F;
 
-/// 10 m x 10 m about the origin, known to be free.
+/// A free map of 10 m x 10 m about the origin.
 COccupancyGridMap2D free_map() {
     COccupancyGridMap2D map(-5.0F, 5.0F, -5.0F, 5.0F, 0.05F);
     map.fill(free_cell);
@@ -23,7 +23,7 @@ void fill(COccupancyGridMap2D& map, const Vector2d& low_m, const Vector2d& high_
         for (int x = map.x2idx(low_m.x()); x <= map.x2idx(high_m.x()); ++x) map.setCell(x, y, p_free);
 }
 
-/// A wall along y at x = 1, from y_low to y_high.
+/// Adds a wall along y at x = 1, from y_low_m to y_high_m.
 void build_wall(COccupancyGridMap2D& map, double y_low_m, double y_high_m) {
     fill(map, {1.0, y_low_m}, {1.1, y_high_m}, occupied_cell);
 }
@@ -32,7 +32,7 @@ Plan plan_in(const COccupancyGridMap2D& map, const Vector2d& from_m, const Vecto
     return plan(map, from_m, goal_m, RobotModel(), PlanParams());
 }
 
-/// Nearest distance of a path to an occupied cell.
+/// Smallest distance of a path to an occupied cell.
 double clearance_m(const COccupancyGridMap2D& map, const Plan& plan) {
     double nearest = 100.0;
     for (const Vector2d& at : plan.path_m)
@@ -51,9 +51,9 @@ TEST(Planner, OverFreeGroundTheWayIsStraight) {
 TEST(Planner, AWallIsPassedOnTheSideThatIsOpen) {
     for (const double side : {1.0, -1.0}) {
         COccupancyGridMap2D map = free_map();
-        build_wall(map, side > 0 ? -5.0 : -1.0, side > 0 ? 1.0 : 5.0);  // open beyond y = 1 and y = -1
+        build_wall(map, side > 0 ? -5.0 : -1.0, side > 0 ? 1.0 : 5.0);  // open beyond y = 1 or y = -1
         PlanParams params;
-        params.area_margin_m = 0.0;  // nothing outside the map
+        params.area_margin_m = 0.0;  // no ground outside the map
         const Plan way = plan(map, {-2.0, 0.0}, {3.0, 0.0}, RobotModel(), params);
         ASSERT_TRUE(way.reaches_goal);
         EXPECT_GT(way.way_point_m.y() * side, 0.0);
@@ -115,7 +115,7 @@ TEST(Planner, TheWayPointStandsInSightRoundACorner) {
     const Vector2d from(0.4, 0.0);
     const Plan way = plan(map, from, {1.8, 0.0}, RobotModel(), params);
     ASSERT_TRUE(way.reaches_goal);
-    EXPECT_LT(way.way_point_m.x(), 1.3);  // not yet behind the wall
+    EXPECT_LT(way.way_point_m.x(), 1.3);  // still before the wall
     EXPECT_GT(way.way_point_m.y(), 0.6);
 }
 

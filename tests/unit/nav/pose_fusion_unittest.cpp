@@ -5,7 +5,7 @@
 namespace flownav::nav {
 namespace {
 
-/// Drives as fast as the tests like.
+/// A robot model without a practical speed limit.
 const RobotModel fast = [] {
     RobotModel robot;
     robot.v_max_mps = 10.0;
@@ -48,7 +48,7 @@ TEST(PoseFusion, AcrossALongGapOfTheFlowTheWheelsTellTheWay) {
     fusion.odometry(0.0, {});
     fusion.flow(0.0, Pose2{});
     fusion.odometry(1.0, {0.5, 0.0, 0.0});
-    fusion.flow(1.0, Pose2{0.1, 0.0, 0.0});  // its camera was stuck for most of the way
+    fusion.flow(1.0, Pose2{0.1, 0.0, 0.0});  // its images were frozen most of the way
     expect_near(fusion.now(), {0.5, 0.0, 0.0});
 }
 

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector2d;
 using mrpt::maps::COccupancyGridMap2D;
 
-/// Drives straight at the way point; is stuck for as long as it is told to.
+/// Drives straight at the way point; reports to be stuck while `stuck_` is set.
 class SimpleNavigator : public Navigator {
   public:
     explicit SimpleNavigator(const bool& stuck) : stuck_(stuck) {}
@@ -31,7 +31,7 @@ class SimpleNavigator : public Navigator {
     const bool& stuck_;
 };
 
-/// A robot that does at once what it is told, in a world that is free as far as it knows.
+/// A robot that follows its commands at once, on free maps.
 class Pilots : public ::testing::Test {
   protected:
     Pilots() {
@@ -52,7 +52,7 @@ class Pilots : public ::testing::Test {
         return decision;
     }
 
-    /// Steps until the state changes, at most for so long.
+    /// Steps until the state changes, at most for `longest_s`.
     RecoveryState next_state(RecoveryManager& recovery, double longest_s = 30.0) {
         const double until_s = time_s_ + longest_s;
         const RecoveryState before = state_;
@@ -91,7 +91,7 @@ TEST_F(Pilots, LeadRoundAWallThatTheMapShows) {
     EXPECT_GT(decision.waypoint_m.y(), 0.5);
     EXPECT_FALSE(decision.path_m.empty());
     RecoveryParams alone;
-    alone.plan = PlanPolicy::Never;
+    alone.replan = ReplanPolicy::Never;
     RecoveryManager without = make(alone, {{3.0, 0.0}});
     EXPECT_EQ(step(without).waypoint_m, Vector2d(3.0, 0.0));
 }
@@ -103,7 +103,7 @@ TEST_F(Pilots, StuckTurnToTheWayAndDriveOn) {
     stuck_ = false;
     EXPECT_EQ(next_state(recovery), RecoveryState::Driving);
     EXPECT_NEAR(std::abs(pose_.yaw_rad), M_PI, 0.15);
-    EXPECT_NEAR(pose_.x_m, 0.0, 0.01);  // on the spot
+    EXPECT_NEAR(pose_.x_m, 0.0, 0.01);  // turned on the spot
 }
 
 TEST_F(Pilots, ManoeuvresTakeTurnsUntilTheRobotIsBlocked) {
@@ -148,7 +148,7 @@ TEST_F(Pilots, WhatTheGuardHoldsTriesSomethingElse) {
 }
 
 TEST_F(Pilots, GoAnotherWayWhenOneHoldsThemTwice) {
-    // Two gaps in a wall at x = 2; the nearer one only looks like one.
+    // A wall at x = 2 with two gaps; the robot cannot pass the nearer one.
     for (float y = -5.0F; y < 5.0F; y += 0.1F)
         if (std::abs(y - 0.5F) > 0.5F && std::abs(y + 3.0F) > 0.5F) map_.setPos(2.0F, y, 0.0F);
     RecoveryManager recovery = make({}, {{4.0, 0.0}});
@@ -184,7 +184,7 @@ TEST_F(Pilots, GoWhereSomethingStoodWhenThereIsNoOtherWay) {
     const auto way = [this] {
         return make({}, {{4.0, 0.0}}).decide({0.0, {}, {}, &local_, true}, map_).path_m.back();
     };
-    EXPECT_NEAR(way().x(), 4.0, 0.2);  // the local map shows it no longer
+    EXPECT_NEAR(way().x(), 4.0, 0.2);  // the local map no longer shows the wall
     for (float y = -5.0F; y < 5.0F; y += 0.1F) local_.setPos(2.0F, y, 0.0F);
     EXPECT_LT(way().x(), 2.0);
 }
@@ -192,7 +192,7 @@ TEST_F(Pilots, GoWhereSomethingStoodWhenThereIsNoOtherWay) {
 TEST_F(Pilots, BackOffOverTheWayTheyCame) {
     RecoveryManager recovery = make({}, {{3.0, 0.0}});
     while (pose_.x_m < 1.5) step(recovery);
-    local_.fill(0.5F);  // and the map has forgotten it
+    local_.fill(0.5F);  // the map no longer shows the driven ground
     stuck_ = true;
     while (state_ != RecoveryState::BackingOff) next_state(recovery);
     const double before_m = pose_.x_m;
@@ -212,7 +212,8 @@ TEST_F(Pilots, ABlindSensorIsNoReasonForManoeuvres) {
 TEST_F(Pilots, AFollowerThatIsHeldBacksOffTurnsAwayAndGoesOn) {
     for (const double y_m : {2.0, -2.0}) {
         const RecoveryState away = y_m > 0.0 ? RecoveryState::LookingRight : RecoveryState::LookingLeft;
-        RecoveryManager recovery(RobotModel(), std::make_unique<SimpleNavigator>(stuck_), {5.0, y_m});
+        RecoveryManager recovery(RobotModel(), {}, std::make_unique<SimpleNavigator>(stuck_),
+                                 Vector2d(5.0, y_m));
         std::vector<RecoveryState> states;
         const double begin_s = time_s_;
         while (time_s_ < begin_s + 12.0 && (states.empty() || states.back() != away)) {
@@ -228,8 +229,23 @@ TEST_F(Pilots, AFollowerThatIsHeldBacksOffTurnsAwayAndGoesOn) {
     }
 }
 
+TEST_F(Pilots, AFollowerTakesItsRecoveriesFromTheParameters) {
+    for (const double held_s : {1.0, 4.0}) {
+        RecoveryParams params;
+        params.held_s = held_s;
+        RecoveryManager recovery(RobotModel(), params, std::make_unique<SimpleNavigator>(stuck_),
+                                 Vector2d(5.0, 2.0));
+        time_s_ = 0.0;
+        do {
+            state_ = step(recovery).state;
+            pose_ = {};
+        } while (state_ == RecoveryState::Driving && time_s_ < 10.0);
+        EXPECT_NEAR(time_s_, held_s, 0.5);
+    }
+}
+
 TEST_F(Pilots, AFollowerThatCanNeitherTurnNorBackOffCreepsOn) {
-    RecoveryManager recovery(RobotModel(), std::make_unique<SimpleNavigator>(stuck_), {5.0, 2.0});
+    RecoveryManager recovery(RobotModel(), {}, std::make_unique<SimpleNavigator>(stuck_), Vector2d(5.0, 2.0));
     while (time_s_ < 20.0 && state_ != RecoveryState::CreepingOn) {
         const Pose2 held = pose_;
         state_ = step(recovery).state;
@@ -242,7 +258,7 @@ TEST_F(Pilots, AFollowerThatCanNeitherTurnNorBackOffCreepsOn) {
 }
 
 TEST_F(Pilots, AWayPointOfTheRobotsFrameMovesWithIt) {
-    RecoveryManager recovery(RobotModel(), std::make_unique<SimpleNavigator>(stuck_), {5.0, 2.0});
+    RecoveryManager recovery(RobotModel(), {}, std::make_unique<SimpleNavigator>(stuck_), Vector2d(5.0, 2.0));
     pose_ = {1.0, 0.0, M_PI / 2};
     const RecoveryDecision decision = step(recovery);
     EXPECT_NEAR(decision.waypoint_m.x(), -1.0, 1e-9);
@@ -251,9 +267,9 @@ TEST_F(Pilots, AWayPointOfTheRobotsFrameMovesWithIt) {
 
 TEST(RecoveryManager, WithoutAGoalIsRefused) {
     const bool stuck = false;
-    EXPECT_THROW(
-        RecoveryManager(RobotModel(), RecoveryParams(), std::make_unique<SimpleNavigator>(stuck), std::vector<Vector2d>{}),
-        std::invalid_argument);
+    EXPECT_THROW(RecoveryManager(RobotModel(), RecoveryParams(), std::make_unique<SimpleNavigator>(stuck),
+                                 std::vector<Vector2d>{}),
+                 std::invalid_argument);
 }
 
 }  // namespace

@@ -21,12 +21,12 @@ SensorReport report_at(double time_s, FieldStatus status = FieldStatus::Ok,
     return report;
 }
 
-/// A watch and a clock. Fields come at 50 Hz, each is asked about at once.
+/// A watch and a clock. Fields come at 50 Hz, and each is followed by a query.
 struct Stream {
     SensorWatch watch{SensorWatchParams()};
     double time_s = 0.0;
 
-    /// Feeds fields for `seconds` and returns what the watch says of the last one.
+    /// Feeds fields for `seconds` and returns the fault after the last one.
     Fault feed(double seconds, FieldStatus status = FieldStatus::Ok, const Counts& confident = clear_view) {
         Fault fault;
         for (const double end_s = time_s + seconds; time_s < end_s - field_s / 2;) {
@@ -36,7 +36,7 @@ struct Stream {
         }
         return fault;
     }
-    /// Lets `seconds` pass without a field.
+    /// Advances by `seconds` without a field.
     Fault wait(double seconds) { return watch.fault(time_s += seconds); }
 };
 

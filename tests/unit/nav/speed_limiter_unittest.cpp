@@ -12,9 +12,9 @@ namespace {
 using Eigen::Vector2d;
 using mrpt::maps::COccupancyGridMap2D;
 
-constexpr double front_m = 0.25;  // of the default footprint; its rear is as far behind
+constexpr double front_m = 0.25;  // of the default footprint; its rear is equally far behind
 constexpr double period_s = 0.2;
-constexpr double margin_m = 0.05;  // stop_margin_m, and what is added for MRPT's paths
+constexpr double margin_m = 0.05;  // stop_margin_m, plus the addition for MRPT's paths
 
 COccupancyGridMap2D free_map() {
     return Course().local_map({});
@@ -25,7 +25,7 @@ void fill(COccupancyGridMap2D& map, const Vector2d& low_m, const Vector2d& high_
         for (int x = map.x2idx(low_m.x()); x <= map.x2idx(high_m.x()); ++x) map.setCell(x, y, p_free);
 }
 
-/// A wall across the way whose nearest cells have their middle at `x_m` (forward > 0, behind < 0).
+/// A wall across the path; its nearest cells have their centres at `x_m` (forward > 0, behind < 0).
 COccupancyGridMap2D wall_at(double x_m) {
     COccupancyGridMap2D map = free_map();
     const double beyond_m = x_m + std::copysign(0.2, x_m);
@@ -39,7 +39,7 @@ RobotModel fast_robot() {
     return robot;
 }
 
-/// A footprint with a long nose: it reaches 0.6 m ahead, but only 0.28 m elsewhere.
+/// A footprint with a long nose: 0.6 m ahead, but only 0.28 m elsewhere.
 RobotModel long_nose() {
     RobotModel robot;
     robot.footprint_m = {{0.6, 0.1}, {-0.2, 0.2}, {-0.2, -0.2}, {0.6, -0.1}};
@@ -58,7 +58,7 @@ Decision limit(const COccupancyGridMap2D& map, const MotionCommand& command,
     return SpeedLimiter(fast_robot(), LaneParams(), period_s).limit(on(map, motion), command);
 }
 
-/// Way until the robot stands: the delay of the command, and braking.
+/// Distance until the robot stands: delay of the command, and braking.
 double stopping_way_m(double v_mps) {
     return 0.1 * std::abs(v_mps) + v_mps * v_mps / 2.0;
 }
@@ -109,7 +109,7 @@ TEST(SpeedLimiter, ItCanStopBeforeGroundThatWasNotSeen) {
     COccupancyGridMap2D map = free_map();
     fill(map, {1.5, -4.0}, {4.9, 4.0}, 0.5F);
     const Decision decision = limit(map, {1.5, 0.0});
-    // It may stand with its bumper 0.4 m before it: nearer no camera sees the ground.
+    // The robot may stop with its bumper 0.4 m before unseen ground, because no camera sees nearer ground.
     EXPECT_NEAR(stopping_way_m(decision.command.v_mps), 1.5 - front_m - LaneParams().bumper_m, 0.15);
     EXPECT_EQ(decision.why, "slows for unseen ground");
     EXPECT_EQ(limit(map, {-1.5, 0.0}).command.v_mps, -1.5) << "away from it";
@@ -199,7 +199,7 @@ TEST(SpeedLimiter, TurnsTheLongWayRoundWhenTheShortOneIsNotFreeAndIsStuckWithout
     const SpeedLimiter speed_limiter(long_nose(), LaneParams(), period_s);
     for (const double side : {1.0, -1.0}) {
         COccupancyGridMap2D map = free_map();
-        map.setCell(map.x2idx(0.01), map.y2idx(0.45 * side), 0.1F);  // the nose would meet it
+        map.setCell(map.x2idx(0.01), map.y2idx(0.45 * side), 0.1F);  // in the path of the nose
         const Vector2d waypoint_m(-1.0, 0.7 * side);
         const Decision long_way = speed_limiter.turn_to(on(map), waypoint_m);
         EXPECT_LT(long_way.command.omega_radps * side, -0.2);

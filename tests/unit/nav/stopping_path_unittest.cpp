@@ -11,7 +11,7 @@ using Eigen::Vector2d;
 
 constexpr double exact_m = 1e-6;
 
-/// Path of a robot that gets a command at time 0, without any that are on their way.
+/// Path of a robot that gets a command at time 0, without pending commands.
 std::vector<Pose2> path_of(const RobotModel& robot, const MotionCommand& motion,
                            const MotionCommand& candidate, double hold_s, double step_m = 0.02) {
     return stopping_path(robot, motion, {}, 0.0, {0.0, candidate}, hold_s, step_m);
@@ -27,7 +27,7 @@ TEST(StoppingPath, StraightItIsTheWayOfTheDelayAndOfBraking) {
         robot.brake_mps2 = 0.8;
         const Pose2 end = path_of(robot, {v_mps, 0.0}, {}, 0.0).back();
         const double way_m = std::abs(v_mps) * robot.delay_s + v_mps * v_mps / (2 * robot.brake_mps2);
-        // Braking is followed in ticks of 10 ms, the last of which it need not fill.
+        // The path has ticks of 10 ms; braking ends within the last one.
         EXPECT_NEAR(end.x_m, std::copysign(way_m, v_mps), 0.01 * 0.01 * robot.brake_mps2);
         EXPECT_EQ(end.y_m, 0.0);
         EXPECT_EQ(end.yaw_rad, 0.0);
@@ -90,7 +90,7 @@ TEST(StoppingPath, OnTheSpotItTurnsByTheDelayAndByTheBrakingOfTheTurn) {
 TEST(StoppingPath, CommandsOnTheirWayTakeEffectFirst) {
     RobotModel robot;
     robot.delay_s = 0.5;
-    // Told 0.4 s ago to drive: it begins 0.1 s from now and lasts until the stop takes effect, 0.4 s later.
+    // A command sent 0.4 s ago takes effect in 0.1 s and lasts 0.4 s, until the stop takes effect.
     const std::deque<TimedCommand> sent = {{-0.4, {0.4, 0.0}}};
     const Pose2 end = stopping_path(robot, {}, sent, 0.0, {0.0, {}}, 0.0).back();
     EXPECT_NEAR(end.x_m, 0.5 * 0.5 * 0.4 * 0.4 + 0.2 * 0.2 / 2, exact_m);

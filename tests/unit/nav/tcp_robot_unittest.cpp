@@ -19,7 +19,7 @@ TcpAddress address_of(int port) {
     return {"127.0.0.1", std::to_string(port)};
 }
 
-/// The reference base in a thread of its own.
+/// The reference base in its own thread.
 class Served {
   public:
     explicit Served(const ReferenceBaseOptions& options = {})
@@ -37,7 +37,7 @@ class Served {
     std::thread thread_;
 };
 
-/// Drives until `enough` says so about a reading; at most some seconds.
+/// Drives until `enough` accepts a reading; at most some seconds.
 template <typename Enough>
 bool drive_until(TcpRobot& robot, const std::optional<MotionCommand>& command, const Enough& enough) {
     for (int i = 0; i < 1000; ++i) {
@@ -49,7 +49,7 @@ bool drive_until(TcpRobot& robot, const std::optional<MotionCommand>& command, c
     return false;
 }
 
-/// A base that says what a test wants, after the hello.
+/// A base that sends fixed lines after the hello.
 class Scripted {
   public:
     explicit Scripted(const std::string& lines, bool closes = false)
@@ -139,7 +139,7 @@ TEST(TcpRobot, TheWatchdogStopsItFromItsOwnThread) {
     robot.drive({0.4, 0.0});
     ASSERT_TRUE(drive_until(robot, {}, [](const WheelReading& r) { return r.motion.v_mps > 0.05; }));
     Watchdog watchdog([&] { robot.stop(); });
-    watchdog.start_watchdog(0.005);  // and nobody says alive()
+    watchdog.start_watchdog(0.005);  // without calls of alive()
     EXPECT_TRUE(drive_until(robot, {}, [](const WheelReading& r) { return r.motion.v_mps == 0.0; }));
 }
 
@@ -193,7 +193,7 @@ TEST(TcpSocket, AConnectionThatIsClosedWithBytesUnreadIsClosed) {
 }
 
 TEST(TcpRobot, ASilentBaseIsLost) {
-    const Scripted base("hello flownav-base 1 300\nodometry 1 2");  // half a line, for ever
+    const Scripted base("hello flownav-base 1 300\nodometry 1 2");  // repeats half a line without end
     TcpRobotParams params;
     params.silence_s = 0.01;
     TcpRobot robot(base.address(), params);
@@ -240,7 +240,7 @@ TEST(TcpRobot, ABaseThatFloodsIsLost) {
     EXPECT_NE(error.find("faster than can be read"), std::string::npos) << error;
 }
 
-/// Does nothing, but interrupts.
+/// Interrupts system calls.
 void interrupt(int /*signal*/) {}
 
 TEST(TcpSocket, ASignalDoesNotEndTheWaiting) {
@@ -283,7 +283,7 @@ TEST(TcpRobot, WhoeverIsNoBaseIsRefused) {
 }
 
 TEST(TcpRobot, NobodyThereIsAnError) {
-    const int port = TcpListener(0).port();  // free again
+    const int port = TcpListener(0).port();  // a port that is free again
     EXPECT_NE(error_of([&] { TcpRobot robot(address_of(port)); }).find("cannot connect"), std::string::npos);
 }
 
@@ -298,8 +298,8 @@ TEST(TcpRobot, AddressesAreReadAndExplained) {
 TEST(ClockOffset, TheEarliestArrivalCounts) {
     ClockOffset offset;
     EXPECT_NEAR(offset.update(100.5, 1.0), 99.5, 1e-9);
-    EXPECT_NEAR(offset.update(101.1, 2.0), 99.1, 1e-9);  // faster
-    EXPECT_NEAR(offset.update(102.9, 3.0), 99.1, 1e-3);  // slower
+    EXPECT_NEAR(offset.update(101.1, 2.0), 99.1, 1e-9);  // arrived with less delay
+    EXPECT_NEAR(offset.update(102.9, 3.0), 99.1, 1e-3);  // arrived with more delay
 }
 
 TEST(ReferenceBase, AnswersNonsenseWithAnErrorAndIgnoresOldCommands) {
@@ -319,7 +319,7 @@ TEST(ReferenceBase, AnswersNonsenseWithAnErrorAndIgnoresOldCommands) {
         }
     }
     EXPECT_TRUE(complained);
-    EXPECT_GT(x_m, 0.0);  // the old command, backward, did not count
+    EXPECT_GT(x_m, 0.0);  // the older command, backward, was ignored
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "flownav/io/drive_recording.h"
 #include "flownav/replay/replay.h"
 #include "flownav/sim/generate_world.h"
+#include "nav_options.h"
 
 namespace flownav {
 namespace {
@@ -40,7 +41,7 @@ std::string content(const fs::path& path) {
     return text.str();
 }
 
-/// Arguments that are all right, but for what is added.
+/// Valid arguments, followed by `more`.
 std::vector<std::string> hall(const std::vector<std::string>& more) {
     std::vector<std::string> arguments = {"--generate", "hall", "--sensor", "lidar", "--timeout-s", "2"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -50,6 +51,18 @@ std::vector<std::string> hall(const std::vector<std::string>& more) {
 TEST(NavApp, TellsAboutItself) {
     EXPECT_NE(run({"--help"}).out.find("Exit status:"), std::string::npos);
     EXPECT_EQ(run({"--version"}).out.rfind("flownav-nav ", 0), 0U);
+}
+
+TEST(NavApp, TheGuardsKeysAreKeptInTheOptionsOfTheDrive) {
+    std::ostringstream out;
+    int status = 0;
+    std::vector<std::string> arguments =
+        hall({"--set", "guard.margin_m=0.15", "--set", "guard.crawl_mps=0.05"});
+    arguments.insert(arguments.begin(), "flownav-nav");
+    const auto options = parse_nav_options(arguments, out, out, status);
+    ASSERT_TRUE(options);
+    EXPECT_EQ(options->drive.config.guard.collision_checker.touch_m, 0.15);
+    EXPECT_EQ(options->drive.config.guard.collision_checker.crawl_mps, 0.05);
 }
 
 TEST(NavApp, BadUsageNamesTheOptionAndWhatIsAllowed) {
@@ -152,7 +165,7 @@ TEST(NavApp, ADriveThatSeesIsRecordedAndReplayedIntoItsReport) {
 TEST(NavApp, TheScoreIsThatOfTheBenchmark) {
     drive::DriveResult result;
     result.outcome = drive::Outcome::Reached;
-    const double path_m = 10.0;  // 5 s at best
+    const double path_m = 10.0;  // takes 5 s at full speed
     for (const auto& [time_s, score] : {std::pair{4.0, 0.5}, {10.0, 0.5}, {20.0, 0.25}, {90.0, 0.125}}) {
         result.time_s = time_s;
         EXPECT_NEAR(barn_score(result, path_m), score, 1e-9);
@@ -161,7 +174,7 @@ TEST(NavApp, TheScoreIsThatOfTheBenchmark) {
     EXPECT_EQ(barn_score(result, path_m), 0.0);
 }
 
-/// Records a drive, and keeps the obstacle points that the robot saw while it drove.
+/// Records a drive, and keeps the obstacle points seen during the drive.
 struct Witness : drive::DriveObserver {
     explicit Witness(const fs::path& file) : recording(file) {}
 
@@ -174,7 +187,7 @@ struct Witness : drive::DriveObserver {
     std::vector<Eigen::Vector3d> seen;
 };
 
-/// The points of an obstacles.csv.
+/// Reads the points of an obstacles.csv.
 std::vector<Eigen::Vector3d> points_of(const fs::path& csv) {
     std::istringstream lines(content(csv));
     std::string line;

@@ -16,7 +16,7 @@ const PlaneGeometry plane(camera.mount);
 const Vector2d near_floor(0.15, 0.2);
 constexpr double sigma_px = 0.1;
 
-/// A well known motion of one cycle, turning left.
+/// A precisely known motion of one cycle, turning left.
 EgoMotion turning_drive() {
     EgoMotion m;
     m.omega_rad = 0.05;
@@ -26,7 +26,7 @@ EgoMotion turning_drive() {
     return m;
 }
 
-/// Eq. (3) without rotation: the vector of something at `inverse_depth`, made `longer_px` longer along e and
+/// Eq. (3) without rotation: the vector of a point at `inverse_depth`, lengthened by `longer_px` along e and
 /// moved by `beside_px` across it.
 RayFlow vector_of(const Vector2d& at, double inverse_depth, const EgoMotion& m, double longer_px = 0.0,
                   double beside_px = 0.0) {
@@ -96,7 +96,7 @@ TEST(Judge, DrivingBackwardsTheVectorsPointTheOtherWay) {
 TEST(Judge, AVectorOfLargerDeviationNeedsALargerExcess) {
     RayFlow ray = floor_vector(2.0);
     EXPECT_EQ(judged(ray).label, BlockLabel::Unsupported);
-    ray.sigma *= 10.0;  // 1 px: three of them are more than the excess
+    ray.sigma *= 10.0;  // 1 px: three standard deviations exceed the excess
     EXPECT_NE(judged(ray).label, BlockLabel::Unsupported);
     ray = floor_vector(4.0);
     ray.sigma *= 10.0;
@@ -139,7 +139,7 @@ TEST(Judge, SwingOfACameraAheadOfTheAxisIsPartOfTheTravel) {
 
 TEST(Judge, PixelsOfAFieldCountAsTheyAre) {
     const CameraModel field = testing::field_camera(camera, testing::Parity::Top);
-    const Vector2d below(0.0, 0.2);  // e points down: one line of a field is two of the frame
+    const Vector2d below(0.0, 0.2);  // e points down: one line of a field is two lines of the frame
     RayFlow ray = vector_of(below, plane.ground_inverse_depth(below), turning_drive(), 2.0);
     EXPECT_NEAR(judged(ray).excess_px, 2.0, 1e-9);
     EXPECT_NEAR(classify(ray, {field, turning_drive(), 1.0}, {}).excess_px, 1.0, 1e-9);

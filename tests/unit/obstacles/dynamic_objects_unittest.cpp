@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "flownav/math/units.h"
+
 namespace flownav::obstacles {
 namespace {
 
@@ -30,7 +32,7 @@ struct Grid {
             judgements[i].measured = true;
         }
     }
-    /// A rectangle of vectors that (11) eliminated, with a common drift to the right.
+    /// Marks a rectangle of vectors as eliminated by (11), with a common drift to the right.
     void move(int x0, int y0, int x1, int y1, double drift = 0.03) {
         for (int y = y0; y < y1; ++y) {
             for (int x = x0; x < x1; ++x) {
@@ -79,7 +81,7 @@ TEST(Movers, ABlockAmongThemThatPassedByChanceBelongsToThem) {
 TEST(Movers, AStandingObstacleBesideThemDoesNot) {
     Grid grid;
     grid.move(2, 2, 6, 6);
-    grid.judgements[36].label = BlockLabel::Obstacle;  // its drift is that of the world at rest
+    grid.judgements[36].label = BlockLabel::Obstacle;  // its drift is that of the static world
     grid.moving();
     EXPECT_EQ(grid.judgements[36].label, BlockLabel::Obstacle);
 }
@@ -97,7 +99,7 @@ TEST(Movers, AHandfulIsNone) {
     EXPECT_EQ(grid.moving(), 0);
 }
 
-/// 0.9 m high, 25 degrees down, 640 x 480.
+/// A camera 0.9 m high, 25 degrees down, 640 x 480.
 RayMapper mapper() {
     CameraModel c;
     c.width_px = 640;
@@ -106,14 +108,14 @@ RayMapper mapper() {
     c.cx_px = 319.5;
     c.cy_px = 239.5;
     c.mount.height_m = 0.9;
-    c.mount.pitch_rad = 25 * M_PI / 180;
+    c.mount.pitch_rad = 25 * degree_rad;
     return RayMapper(c);
 }
 
 TEST(GroundContact, OfTheImageCentreIsWhereTheOpticalAxisMeetsTheFloor) {
     const auto contact = ground_contact({319.5, 239.5}, mapper());
     ASSERT_TRUE(contact);
-    EXPECT_NEAR(contact->forward_m, 0.9 / std::tan(25 * M_PI / 180), 1e-6);
+    EXPECT_NEAR(contact->forward_m, 0.9 / std::tan(25 * degree_rad), 1e-6);
     EXPECT_GT(contact->sigma_m, 0.0);
     EXPECT_LT(contact->sigma_m, 0.1);
 }

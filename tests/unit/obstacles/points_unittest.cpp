@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "flownav/math/units.h"
 #include "flownav/motion/ray_flow.h"
 #include "flownav/testing/camera.h"
 #include "flownav/testing/truth.h"
@@ -13,9 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using testing::View;
-
-constexpr double degree = M_PI / 180.0;
+using sim::View;
 
 CameraModel shifted_camera() {
     CameraModel camera = testing::standard_camera();
@@ -25,7 +24,7 @@ CameraModel shifted_camera() {
 }
 
 TEST(PointInRobot, DeeperIsAheadRightIsNegativeYAndLowerIsDown) {
-    CameraMount mount;  // looks level
+    CameraMount mount;  // the camera is level
     const Vector3d ahead = point_in_robot({0, 0}, 2.0, mount);
     EXPECT_LT((ahead - Vector3d(2.0, 0.0, 0.9)).norm(), 1e-12);
     EXPECT_LT(point_in_robot({0.1, 0}, 2.0, mount).y(), -0.1);
@@ -43,7 +42,7 @@ TEST(PointInRobot, IsWhereTheCameraSeesIt) {
     }
 }
 
-/// What the sensor makes of a fixed point that it sees at the beginning and at the end of a cycle.
+/// Block of a fixed point that is seen at the beginning and at the end of a cycle, and its true position.
 struct SeenPoint {
     View from{shifted_camera(), {}, 0.0};
     Pose2 T_from_to;
@@ -72,7 +71,7 @@ struct SeenPoint {
 };
 
 TEST(ObstaclePoint, LiesWhereThePointIsAtTheEndOfTheCycle) {
-    for (const double turn_rad : {0.0, 4.8 * degree, -4.8 * degree}) {
+    for (const double turn_rad : {0.0, 4.8 * degree_rad, -4.8 * degree_rad}) {
         for (const Vector3d& p : {Vector3d(2.0, 0.5, 0.3), Vector3d(3.0, -0.8, 0.6)}) {
             const SeenPoint seen(p, turn_rad, 0.064);
             const auto found = seen.point();
@@ -142,7 +141,7 @@ TEST(GroundPatch, IsMovedToTheEndOfTheCycle) {
 
 TEST(GroundPatch, ThereIsNoneOverTheHorizonOrBeyondTheRange) {
     CameraModel flat = testing::standard_camera();
-    flat.mount.pitch_rad = 5.0 * degree;  // the horizon is row 186
+    flat.mount.pitch_rad = 5.0 * degree_rad;  // the horizon is row 186
     EXPECT_TRUE(ground_patch({300, 240}, RayMapper(flat), {}, 100.0));
     EXPECT_FALSE(ground_patch({300, 190}, RayMapper(flat), {}, 100.0));
     EXPECT_FALSE(ground_patch({300, 100}, RayMapper(flat), {}, 100.0));

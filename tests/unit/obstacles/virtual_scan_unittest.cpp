@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "flownav/math/units.h"
 #include "flownav/testing/camera.h"
 
 namespace flownav::obstacles {
@@ -11,18 +12,16 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double degree = M_PI / 180.0;
-
 VirtualScan empty_scan() {
     return scan_layout(RayMapper(testing::standard_camera()), {});
 }
 
 int beam_at(const VirtualScan& scan, double bearing_deg) {
-    return static_cast<int>(std::lround((bearing_deg * degree - scan.first_bearing_rad) / scan.step_rad));
+    return static_cast<int>(std::lround((bearing_deg * degree_rad - scan.first_bearing_rad) / scan.step_rad));
 }
 
 Vector2d polar(double range_m, double bearing_deg) {
-    return range_m * Vector2d(std::cos(bearing_deg * degree), std::sin(bearing_deg * degree));
+    return range_m * Vector2d(std::cos(bearing_deg * degree_rad), std::sin(bearing_deg * degree_rad));
 }
 
 ObstaclePoint point(double range_m, double bearing_deg) {
@@ -48,11 +47,11 @@ void expect_all_unknown(const VirtualScan& scan) {
 
 TEST(VirtualScan, CoversTheViewOfTheCameraEvenlyToBothSides) {
     const VirtualScan scan = empty_scan();
-    EXPECT_NEAR(scan.step_rad, 2.0 * degree, 1e-12);
+    EXPECT_NEAR(scan.step_rad, 2.0 * degree_rad, 1e-12);
     const double last = scan.first_bearing_rad + static_cast<double>(scan.beams.size() - 1) * scan.step_rad;
     EXPECT_NEAR(last, -scan.first_bearing_rad, 1e-12);
-    EXPECT_GT(last, 27.5 * degree);  // wider than the camera: it looks down
-    EXPECT_LT(last, 45.0 * degree);
+    EXPECT_GT(last, 27.5 * degree_rad);  // wider than the camera, which looks down
+    EXPECT_LT(last, 45.0 * degree_rad);
 }
 
 TEST(VirtualScan, NothingSeenIsUnknownNotFree) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "drives.h"
+#include "flownav/math/units.h"
 
 namespace flownav {
 namespace {
@@ -11,7 +12,7 @@ using testing::grey_field;
 
 constexpr std::size_t bad = 3;
 
-/// A drive in which one field was replaced.
+/// A drive in which one field is replaced by a grey one.
 std::vector<Field> fields_with(std::uint8_t grey) {
     testing::DriveOptions options;
     options.images = 7;
@@ -29,7 +30,7 @@ void expect_recovery(std::uint8_t grey) {
     EXPECT_TRUE(steps[bad].obstacles.empty());
     EXPECT_FALSE(steps[bad].motion.omega_measured);
     for (const pipeline::BlockRecord& block : steps[bad].blocks) EXPECT_FALSE(block.fresh);
-    // The reference is still held: the next field is compared with it.
+    // The reference is kept: the next field is compared with it.
     EXPECT_EQ(steps[bad + 1].status, FieldStatus::Ok);
     EXPECT_FALSE(steps[bad + 1].restarted);
     EXPECT_EQ(steps[bad + 1].image_of_cycle, 3);
@@ -56,7 +57,7 @@ TEST(BadField, RatesAfterItSpeakOfTheWholeTimeSinceTheLastPicture) {
     std::vector<Field> fields = render_fields(testing::drive(options));
     fields[bad] = grey_field(fields[bad], 0, 0.0);
     const auto steps = testing::run(fields, cycles_of(5));
-    EXPECT_NEAR(testing::to_deg(steps[bad + 1].omega_radps), 15.0, 1.0);
+    EXPECT_NEAR(deg(steps[bad + 1].omega_radps), 15.0, 1.0);
 }
 
 TEST(BadField, AtTheStartNothingIsKnownYet) {
@@ -77,7 +78,7 @@ TEST(BadField, AnEmptyImageIsOne) {
 }
 
 TEST(BadField, AStripeOfNoiseOnBlackIsOne) {
-    // 5 % of the picture: a camera with its lid on and a disturbed line or two.
+    // 5 % of the image has noise: a covered lens with a few disturbed lines.
     Field field = fields_with(0)[bad];
     auto image = std::make_shared<testing::GreyImage>(field.image.width_px, field.image.height_px);
     for (int v = 100; v < 112; ++v) {

@@ -1,16 +1,17 @@
-// What is not measured is carried over for RateParams::carry_max_s, and no longer.
+// Motion that is not measured is carried over for RateParams::carry_max_s, and no longer.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "drives.h"
+#include "flownav/math/units.h"
 
 namespace flownav {
 namespace {
 
 using pipeline::Step;
 
-constexpr int seen = 12;     // images, of which the last ones are measured
+constexpr int seen = 12;     // images; the last ones are measured
 constexpr int hidden = 100;  // images, four seconds
 constexpr double rate_hz = 25.0;
 
@@ -26,7 +27,7 @@ std::vector<Field> seen_fields() {
     return render_fields(testing::drive(left_turn()));
 }
 
-/// Fields like the last one seen, made by `picture(i)`.
+/// Fields like the last one seen, with the pixels of `picture(i)`.
 template <class Picture>
 std::vector<Step> drive_into(Picture picture, const pipeline::Params& params = {}) {
     std::vector<Field> fields = seen_fields();
@@ -43,7 +44,7 @@ Field covered(const Field& like, int /*i*/) {
     return testing::grey_field(like, 2, 0.0);
 }
 
-/// A wall without texture: noise about one grey, another in each image.
+/// A wall without texture: noise about one grey value, different in each image.
 Field blank_wall(const Field& like, int i) {
     const auto image = std::make_shared<testing::GreyImage>(like.image.width_px, like.image.height_px);
     std::uint32_t state = 77U * static_cast<std::uint32_t>(i) + 1U;
@@ -64,7 +65,7 @@ double way_m(const Step& from, const Step& to) {
                       to.T_start_robot.y_m - from.T_start_robot.y_m);
 }
 
-/// A second of the last speed, and then nothing more; told as carried, with an error that goes on growing.
+/// Expects a second at the last speed, then standstill; marked as carried, with a growing error.
 void expect_carried_for_a_second(const std::vector<Step>& steps, FieldStatus status) {
     const Step& last = steps[seen - 1];
     ASSERT_EQ(last.status, FieldStatus::Ok);
@@ -74,7 +75,7 @@ void expect_carried_for_a_second(const std::vector<Step>& steps, FieldStatus sta
     EXPECT_NEAR(way_m(last, steps[seen + 10]), 11 * 0.016, 0.005);
     EXPECT_NEAR(way_m(last, steps.back()), 0.4 * 1.0, 0.02);
     const double turned_deg =
-        testing::to_deg(wrap_angle(steps.back().T_start_robot.yaw_rad - last.T_start_robot.yaw_rad));
+        deg(wrap_angle(steps.back().T_start_robot.yaw_rad - last.T_start_robot.yaw_rad));
     EXPECT_NEAR(turned_deg, 10.0 * 1.0, 1.0);
     EXPECT_LT(way_m(steps[seen + 30], steps.back()), 1e-9) << "still moving";
     EXPECT_EQ(steps.back().v_mps, 0.0);
@@ -84,7 +85,7 @@ void expect_carried_for_a_second(const std::vector<Step>& steps, FieldStatus sta
         EXPECT_GT(steps[i].carried.sigma_m, steps[i - 1].carried.sigma_m) << i;
         EXPECT_GT(steps[i].carried.sigma_rad, steps[i - 1].carried.sigma_rad) << i;
     }
-    // A robot that went on at its speed would be 1.2 m farther.
+    // A robot that kept its speed would be 1.2 m farther.
     EXPECT_NEAR(steps.back().carried.sigma_m, 1.2, 0.25);
 }
 
@@ -105,13 +106,13 @@ TEST(CarriedPose, TheTimeIsAParameter) {
     EXPECT_LT(way_m(drive_into(covered, params)[seen - 1], drive_into(covered, params).back()), 1e-9);
 }
 
-/// The floor turns plain; what stands on it still shows the turn.
+/// The floor loses its texture; objects on it still show the turn.
 TEST(CarriedPose, ASpeedThatTheFloorDoesNotShowGoesOnForASecondAsWell) {
     testing::DriveOptions options;
     options.kind = testing::SceneKind::Straight;
     options.images = seen + 50;
     std::vector<Field> fields = render_fields(testing::drive(options));
-    options.floor = testing::Surface::Plain;
+    options.floor = sim::Surface::Plain;
     const std::vector<Field> plain = render_fields(testing::drive(options));
     std::copy(plain.begin() + seen, plain.end(), fields.begin() + seen);
     const auto steps = testing::run(fields);

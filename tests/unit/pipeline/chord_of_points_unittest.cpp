@@ -1,5 +1,5 @@
-// Points and floor are moved to the end of a cycle by the same motion as the odometry, also while a turn
-// begins: then the robot's chord does not point along half the turn.
+// Points and floor are moved to the end of a cycle by the motion of the odometry, also at the start of a
+// turn, when the robot's chord does not point along half the turn.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "drives.h"
+#include "flownav/math/units.h"
 #include "flownav/obstacles/points.h"
 
 namespace flownav {
@@ -16,7 +17,7 @@ using pipeline::Step;
 
 constexpr double image_s = 0.04;
 
-/// Straight on, and from image 8 on into a turn that grows by 20 deg/s from image to image; > 0 to the left.
+/// Straight on until image 8, then a turn rate that grows by 20 deg/s per image; > 0 to the left.
 std::vector<Field> into_a_turn(double side) {
     testing::DriveOptions options;
     options.images = 14;
@@ -25,12 +26,12 @@ std::vector<Field> into_a_turn(double side) {
         const double omega_degps = side * std::clamp(20.0 * (i - 8), 0.0, 60.0);
         const auto k = static_cast<std::size_t>(i);
         scene.poses[k] =
-            compose(scene.poses[k - 1], along_arc(omega_degps * M_PI / 180 * image_s, 0.6 * image_s));
+            compose(scene.poses[k - 1], along_arc(omega_degps * degree_rad * image_s, 0.6 * image_s));
     }
     return render_fields(scene);
 }
 
-/// Distance of a patch to the nearest one of those that the blocks of its cycle stand for.
+/// Distance of a patch to the nearest ground patch computed from the blocks of its cycle.
 double off_m(const GroundPatch& patch, const Step& step, const CameraModel& camera,
              const Pose2& T_end_reference) {
     const RayMapper mapper(camera);
@@ -82,7 +83,7 @@ TEST(ChordOfPoints, HalfWayLiesOnTheWay) {
     EXPECT_NEAR(pose_half_way(motion).yaw_rad, 0.1, 1e-12);
 }
 
-/// A vector that was not used has no flow on the normalised plane, least of all that of a field before.
+/// A vector that was not used has zero flow on the normalised plane, not the flow of an earlier field.
 TEST(BlockRecord, ASiftedVectorLeavesNoRay) {
     const auto steps = testing::run(into_a_turn(1.0), testing::cycles_of(4));
     int sifted = 0;

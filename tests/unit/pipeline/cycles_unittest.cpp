@@ -9,7 +9,7 @@ using pipeline::Step;
 using testing::cycles_of;
 using testing::DriveOptions;
 
-/// Small images: these tests are about the order of things, not about accuracy.
+/// Small images: these tests check sequences, not accuracy.
 std::vector<Field> small_fields(int images, double v_mps = 0.4) {
     DriveOptions options;
     options.images = images;
@@ -45,7 +45,8 @@ TEST(Cycles, OfOneImageEndWithEveryField) {
 }
 
 TEST(Cycles, AreChosenFromTheSpeed) {
-    EXPECT_EQ(testing::run(small_fields(3, 0.4)).back().cycle_images, 5);  // 16 mm an image, 80 mm aimed at
+    // 16 mm per image; a cycle aims at 80 mm.
+    EXPECT_EQ(testing::run(small_fields(3, 0.4)).back().cycle_images, 5);
     EXPECT_EQ(testing::run(small_fields(3, 0.8)).back().cycle_images, 3);
     EXPECT_EQ(testing::run(small_fields(3, 0.0)).back().cycle_images, 12);  // 0.48 s
 }

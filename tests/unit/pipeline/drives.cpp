@@ -4,6 +4,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "flownav/math/units.h"
+
 namespace flownav::testing {
 
 Scene drive(const DriveOptions& options) {
@@ -17,7 +19,7 @@ Scene drive(const DriveOptions& options) {
     scene_options.camera = options.camera;
     Scene scene = make_scene(scene_options);
     const double image_s = 1.0 / scene_options.rate_hz;
-    const Pose2 step = along_arc(options.omega_degps * M_PI / 180.0 * image_s, options.v_mps * image_s);
+    const Pose2 step = along_arc(options.omega_degps * degree_rad * image_s, options.v_mps * image_s);
     for (std::size_t i = 1; i < scene.poses.size(); ++i) scene.poses[i] = compose(scene.poses[i - 1], step);
     return scene;
 }

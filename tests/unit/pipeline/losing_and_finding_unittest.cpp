@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "drives.h"
+#include "flownav/math/units.h"
 
 namespace flownav {
 namespace {
 
 using pipeline::Step;
-using testing::to_deg;
 
 constexpr double image_s = 0.04;
 
@@ -23,7 +23,7 @@ testing::Scene drive_with(int images, MotionOfImage motion_of_image) {
         const auto [v_mps, omega_degps] = motion_of_image(i);
         const auto k = static_cast<std::size_t>(i);
         scene.poses[k] =
-            compose(scene.poses[k - 1], along_arc(omega_degps * M_PI / 180 * image_s, v_mps * image_s));
+            compose(scene.poses[k - 1], along_arc(omega_degps * degree_rad * image_s, v_mps * image_s));
     }
     return scene;
 }
@@ -34,7 +34,7 @@ std::pair<double, double> steady(int) {
 
 void expect_right(const Step& step, double v_mps, double omega_degps) {
     EXPECT_EQ(step.status, FieldStatus::Ok);
-    EXPECT_NEAR(to_deg(step.omega_radps), omega_degps, 0.5);
+    EXPECT_NEAR(deg(step.omega_radps), omega_degps, 0.5);
     EXPECT_NEAR(step.v_mps, v_mps, 0.05);
 }
 
@@ -53,14 +53,14 @@ TEST(LosingAndFinding, AJumpOfTheSpeedIsRightInTheFirstImageOfItsCycle) {
 }
 
 TEST(LosingAndFinding, ASpeedTooFastForTheWindowsIsFoundThoughTheTurnIsKnown) {
-    // A wide lens near the floor: the turn is plain to see far away, the near floor moves by 25 px.
+    // A wide lens near the floor: the far floor shows the turn, the near floor moves by 25 px.
     testing::DriveOptions options;
     options.kind = testing::SceneKind::Straight;
     options.images = 4;
     options.v_mps = 1.6;
     options.camera.fx_px = options.camera.fy_px = 320.0;
     options.camera.mount.height_m = 0.5;
-    options.camera.mount.pitch_rad = 18 * M_PI / 180;
+    options.camera.mount.pitch_rad = 18 * degree_rad;
     const auto steps = testing::run(render_fields(testing::drive(options)));
     for (std::size_t i = 1; i < steps.size(); ++i) {
         expect_right(steps[i], 1.6, 0.0);
@@ -77,7 +77,7 @@ TEST(LosingAndFinding, FlowFarBeyondTheSlidingWindowsIsFoundOnTheQuarterImages) 
     const auto scene = drive_with(2, [](int) { return std::pair(0.4, 240.0); });  // 100 px
     const Step step = testing::run(render_fields(scene)).back();
     EXPECT_EQ(step.status, FieldStatus::Ok);
-    EXPECT_NEAR(to_deg(step.omega_radps), 240.0, 1.0);
+    EXPECT_NEAR(deg(step.omega_radps), 240.0, 1.0);
 }
 
 TEST(LosingAndFinding, DroppedFieldsAreBridged) {
@@ -113,7 +113,7 @@ TEST(LosingAndFinding, ATurnThatBeginsWithinACycleIsMeasuredAsWell) {
     const auto steps = testing::run(render_fields(scene));
     for (int i = 5; i < 21; ++i) {
         const double truth_degps = std::clamp(6.0 * (i - 8), 0.0, 30.0);
-        EXPECT_NEAR(to_deg(steps[static_cast<std::size_t>(i)].omega_radps), truth_degps, 0.12) << i;
+        EXPECT_NEAR(deg(steps[static_cast<std::size_t>(i)].omega_radps), truth_degps, 0.12) << i;
     }
 }
 

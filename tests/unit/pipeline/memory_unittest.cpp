@@ -82,7 +82,7 @@ TEST(Memory, InSteadyStateTheLocalMapAllocatesNothing) {
         set.ground.push_back({{0.8, 0.02 * i}, {1.0 + 0.03 * i, 0.05 * i}, 0.2});
     }
     for (int i = 0; i < 400; ++i) {
-        set.timestamp_s = 0.1 * i;  // the map's memory is full after 60 of them
+        set.timestamp_s = 0.1 * i;  // the map's memory is full after 60 sets
         const long before = allocations;
         map.insert(set);
         map.redraw({0.01 * i, 0.0, 0.02 * i});

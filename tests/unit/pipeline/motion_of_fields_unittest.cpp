@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "drives.h"
+#include "flownav/math/units.h"
 
 namespace flownav {
 namespace {
@@ -10,7 +11,6 @@ namespace {
 using pipeline::Step;
 using testing::cycles_of;
 using testing::DriveOptions;
-using testing::to_deg;
 
 struct Errors {
     double omega_degps = 0.0;  ///< root mean square over the fields
@@ -18,13 +18,13 @@ struct Errors {
     int cycles = 0;
 };
 
-/// Compares the steps after the first cycle with a drive of constant speed and turn rate.
+/// Errors of the steps after the first cycle for a drive of constant speed and turn rate.
 Errors errors_of(const DriveOptions& truth, const std::vector<Step>& steps, std::size_t settled) {
     Errors errors;
     double squares = 0.0, fields = 0.0;
     for (std::size_t i = settled; i < steps.size(); ++i) {
         EXPECT_EQ(steps[i].status, FieldStatus::Ok);
-        squares += std::pow(to_deg(steps[i].omega_radps) - truth.omega_degps, 2);
+        squares += std::pow(deg(steps[i].omega_radps) - truth.omega_degps, 2);
         fields += 1;
         if (!steps[i].v_measured) continue;
         errors.v_percent += 100.0 * (steps[i].v_mps / truth.v_mps - 1.0);
@@ -77,7 +77,7 @@ TEST(MotionOfFields, TurnOf30DegreesASecondIsFoundInTheFirstPair) {
         options.omega_degps = omega_degps;
         const Step step = testing::run(render_fields(testing::drive(options)), cycles_of(4)).back();
         EXPECT_EQ(step.status, FieldStatus::Ok);
-        EXPECT_NEAR(to_deg(step.omega_radps), omega_degps, 0.5);
+        EXPECT_NEAR(deg(step.omega_radps), omega_degps, 0.5);
         EXPECT_NEAR(step.v_mps, 0.4, 0.02);
     }
 }
@@ -87,7 +87,7 @@ TEST(MotionOfFields, FieldsOfAlternatingParityNeedNoSpecialCase) {
     options.images = 10;
     options.omega_degps = 5.0;
     options.interlaced = true;
-    const Errors errors = errors_of(options, 3);  // odd: the parity of the references alternates as well
+    const Errors errors = errors_of(options, 3);  // odd: the parity of the references alternates
     EXPECT_EQ(errors.cycles, 2);
     EXPECT_LT(errors.omega_degps, 0.3);
     EXPECT_LT(std::abs(errors.v_percent), 1.5);
@@ -102,12 +102,12 @@ TEST(MotionOfFields, OdometryEndsWhereTheRobotDoes) {
     const Pose2 truth = compose(inverse(scene.poses.front()), scene.poses.back());
     EXPECT_NEAR(end.x_m, truth.x_m, 0.004);
     EXPECT_NEAR(end.y_m, truth.y_m, 0.002);
-    EXPECT_NEAR(to_deg(end.yaw_rad), to_deg(truth.yaw_rad), 0.1);
+    EXPECT_NEAR(deg(end.yaw_rad), deg(truth.yaw_rad), 0.1);
 }
 
 TEST(MotionOfFields, OverAFloorWithoutTextureNothingIsMeasured) {
     DriveOptions options;
-    options.floor = testing::Surface::Plain;
+    options.floor = sim::Surface::Plain;
     for (const Step& step : testing::run(render_fields(testing::drive(options)), cycles_of(2))) {
         EXPECT_NE(step.status, FieldStatus::Ok);
         EXPECT_FALSE(step.v_measured);

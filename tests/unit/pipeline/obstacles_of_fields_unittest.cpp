@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "drives.h"
+#include "flownav/math/units.h"
 
 namespace flownav {
 namespace {
@@ -13,13 +14,14 @@ using pipeline::Step;
 using testing::cycles_of;
 using testing::DriveOptions;
 
-/// Distance of a point of the ground plan to the nearest outline of something whose lower end is at most
-/// `z_low_m` over the floor.
-double distance_to_surface_m(const testing::World& world, const Eigen::Vector2d& point_m,
+/// Distance of a point of the ground plan to the nearest outline of an object whose lower end is at most
+/// `z_low_m` above the floor.
+double distance_to_surface_m(const sim::World& world, const Eigen::Vector2d& point_m,
                              double z_low_m = std::numeric_limits<double>::max()) {
     double nearest_m = std::numeric_limits<double>::max();
-    for (const testing::Primitive& p : world.primitives)
-        if (p.z_low_m <= z_low_m) nearest_m = std::min(nearest_m, distance_m(p, point_m));
+    for (const sim::Solid& solid : world.solids)
+        if (testing::upright_of(solid).z_low_m <= z_low_m)
+            nearest_m = std::min(nearest_m, testing::distance_m(solid, point_m));
     return nearest_m;
 }
 
@@ -27,7 +29,7 @@ TEST(ObstaclesOfFields, PointsLieOnTheSurfacesOfTheScene) {
     DriveOptions options;
     options.kind = testing::SceneKind::Straight;
     options.images = 13;
-    options.omega_degps = 10.0;  // a point left at its mid-time would be beside its surface
+    options.omega_degps = 10.0;  // points not moved to the end of the cycle would miss their surface
     const testing::Scene scene = testing::drive(options);
     const auto steps = testing::run(render_fields(scene), cycles_of(6));
     int points = 0, on_surface = 0;
@@ -96,7 +98,7 @@ TEST(ObstaclesOfFields, PureRotationYieldsNone) {
     options.omega_degps = 10.0;
     const auto steps = testing::run(render_fields(testing::drive(options)), cycles_of(4));
     for (const Step& step : steps) EXPECT_TRUE(step.obstacles.empty()) << step.obstacles.size();
-    EXPECT_NEAR(testing::to_deg(steps.back().omega_radps), 10.0, 0.3);
+    EXPECT_NEAR(deg(steps.back().omega_radps), 10.0, 0.3);
     EXPECT_NEAR(steps.back().v_mps, 0.0, 0.01);
 }
 

@@ -3,17 +3,16 @@
 #include <gtest/gtest.h>
 
 #include "exact_samples.h"
+#include "flownav/math/units.h"
 #include "flownav/pipeline/pipeline.h"
 #include "flownav/testing/scene.h"
 
 namespace flownav::pipeline {
 namespace {
 
-using testing::degree;
-
 constexpr int images = 4;
 
-/// One cycle of exact flow, seen by a camera that is taken to look `error_rad` farther down than it does.
+/// Feeds one cycle of exact flow from a camera whose assumed pitch is `error_rad` too far down.
 void learn_cycle(PitchOnline& pitch, double error_rad, double omega_degps) {
     const testing::Pair pair = testing::drive(testing::standard_camera(), 0.4, omega_degps, images);
     CameraModel assumed = pair.from.camera;
@@ -24,18 +23,18 @@ void learn_cycle(PitchOnline& pitch, double error_rad, double omega_degps) {
 }
 
 TEST(PitchOnline, SettlesOnTheTruePitchWithinHundredthsOfADegree) {
-    for (const double error_rad : {0.8 * degree, -0.8 * degree, 0.0}) {
+    for (const double error_rad : {0.8 * degree_rad, -0.8 * degree_rad, 0.0}) {
         PitchOnline pitch;
         for (int cycle = 0; cycle < 40; ++cycle) learn_cycle(pitch, error_rad, cycle % 2 == 0 ? 10.0 : -5.0);
-        EXPECT_NEAR(pitch.correction_rad(), -error_rad, 0.02 * degree);
+        EXPECT_NEAR(pitch.correction_rad(), -error_rad, 0.02 * degree_rad);
     }
 }
 
 TEST(PitchOnline, DoesNotJumpOnTheFirstCycle) {
     PitchOnline pitch;
-    learn_cycle(pitch, 0.9 * degree, 5.0);
-    EXPECT_LT(pitch.correction_rad(), -0.1 * degree);
-    EXPECT_GT(pitch.correction_rad(), -0.5 * degree);
+    learn_cycle(pitch, 0.9 * degree_rad, 5.0);
+    EXPECT_LT(pitch.correction_rad(), -0.1 * degree_rad);
+    EXPECT_GT(pitch.correction_rad(), -0.5 * degree_rad);
 }
 
 TEST(PitchOnline, LearnsNothingFromAFloorThatCannotBeSeen) {
@@ -44,7 +43,7 @@ TEST(PitchOnline, LearnsNothingFromAFloorThatCannotBeSeen) {
     std::vector<motion::MotionSample> few = testing::exact_samples(pair);
     few.resize(20);
     CameraModel assumed = pair.from.camera;
-    assumed.mount.pitch_rad += 0.5 * degree;
+    assumed.mount.pitch_rad += 0.5 * degree_rad;
     pitch.observe(few, assumed, pair.truth, Geometry::MidPoint);
     pitch.learn(pair.truth);
     EXPECT_EQ(pitch.correction_rad(), 0.0);
@@ -70,7 +69,7 @@ Learnt drive(double pitch_error_deg, bool pitch_online) {
     Learnt learnt;
     for (int i = 0; i < scene.images(); ++i) {
         Field field = testing::make_field(scene, i);
-        field.camera.mount.pitch_rad += pitch_error_deg * degree;
+        field.camera.mount.pitch_rad += pitch_error_deg * degree_rad;
         const Step& s = step(state, field);
         learnt.correction_rad = s.pitch_correction_rad;
         learnt.restarts += s.restarted;
@@ -85,8 +84,8 @@ TEST(PitchOnline, InThePipelineItIsOffUnlessAskedFor) {
 
 TEST(PitchOnline, InThePipelineItIsReportedAndNeedsNoRestart) {
     const Learnt learnt = drive(1.5, true);
-    EXPECT_LT(learnt.correction_rad, -0.7 * degree);
-    EXPECT_GT(learnt.correction_rad, -1.6 * degree);
+    EXPECT_LT(learnt.correction_rad, -0.7 * degree_rad);
+    EXPECT_GT(learnt.correction_rad, -1.6 * degree_rad);
     EXPECT_EQ(learnt.restarts, 0);
 }
 

@@ -1,4 +1,4 @@
-// Fields that cannot be used leave no trace but a status and a count.
+// Refused fields change only the status and a count.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -24,7 +24,7 @@ std::uint64_t count_of(const Step& step, FieldFault fault) {
     return step.faults.at(static_cast<std::size_t>(fault));
 }
 
-/// A field between others is refused, and the drive ends as if it had never come.
+/// Inserts a refused field; the drive must end as without it.
 template <class Spoil>
 void expect_refused(FieldFault fault, Spoil spoil) {
     const std::vector<Field> good = good_fields();
@@ -63,7 +63,7 @@ TEST(RefusedField, ATimeStampThatIsNoNumber) {
     }
 }
 
-/// These have a time of their own, half-way to the next field.
+/// Sets a valid time stamp half-way to the next field.
 void half_way(Field& field, const Field& before) {
     field.timestamp_s = (field.timestamp_s + before.timestamp_s) / 2;
 }

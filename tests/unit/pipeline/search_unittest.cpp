@@ -4,15 +4,15 @@
 
 #include <cmath>
 
+#include "flownav/math/units.h"
+#include "flownav/sim/surface_texture.h"
 #include "flownav/testing/camera.h"
 #include "flownav/testing/render.h"
 
 namespace flownav::pipeline {
 namespace {
 
-using testing::View;
-
-constexpr double degree = M_PI / 180.0;
+using sim::View;
 
 /// How the robot moves from the reference to the newest field; pitch raises the view.
 struct Motion {
@@ -21,18 +21,18 @@ struct Motion {
     double forward_m = 0.0;
 };
 
-ReferenceImage held(const testing::World& world, const View& view, const CameraModel& nominal) {
+ReferenceImage held(const sim::World& world, const View& view, const CameraModel& nominal) {
     auto image = std::make_shared<testing::GreyImage>(testing::render(world, view));
     return {{view.time_s, image->view(), nominal, image}, RayMapper(nominal)};
 }
 
-/// Two fields of a floor without anything on it, rendered from where the robot stood before and after.
+/// Two fields of an empty floor, rendered before and after the motion.
 class Fields {
   public:
-    Fields(const CameraModel& camera, const Motion& motion, testing::Surface floor = testing::Surface::Carpet)
+    Fields(const CameraModel& camera, const Motion& motion, sim::Surface floor = sim::Surface::Carpet)
         : matcher_(flow::BlockMatcher(params_.flow, 1)) {
-        testing::World world;
-        world.ground = {floor, 1.0, 5};
+        sim::World world;
+        world.floor = {floor, sim::usual_grey(floor), 5};
         View before{camera, {}, 0.0};
         // The chord points along half the turn.
         View after{camera,
@@ -51,7 +51,7 @@ class Fields {
     motion::MotionPrediction travel(const motion::MotionPrediction& known) {
         return search_travel(reference_, newest_, layout_, known, {params_, matcher_}, last_trial_);
     }
-    /// The motion that is found without a search, from the prediction alone.
+    /// The motion found without a search, from the prediction alone.
     motion::MotionEstimate without_search(const motion::MotionPrediction& prediction = {}) {
         measure(reference_, newest_, layout_, prediction, {params_, matcher_}, last_trial_);
         return last_trial_.estimate;
@@ -65,54 +65,55 @@ class Fields {
     Measurement last_trial_;
 };
 
-/// A wide lens near the floor: the turn is plain to see far away, and the near floor moves fast.
+/// A wide lens near the floor: the far floor shows the turn, and the near floor moves fast.
 CameraModel low_camera() {
     CameraModel camera = testing::standard_camera();
     camera.fx_px = camera.fy_px = 320.0;
     camera.mount.height_m = 0.5;
-    camera.mount.pitch_rad = 18.0 * degree;
+    camera.mount.pitch_rad = 18.0 * degree_rad;
     return camera;
 }
 
 void expect_found(const motion::MotionPrediction& found, const Motion& truth, double tolerance_deg = 0.05) {
-    EXPECT_NEAR(found.omega_rad, truth.omega_rad, tolerance_deg * degree);
-    EXPECT_NEAR(found.pitch_rad, truth.pitch_rad, tolerance_deg * degree);
+    EXPECT_NEAR(found.omega_rad, truth.omega_rad, tolerance_deg * degree_rad);
+    EXPECT_NEAR(found.pitch_rad, truth.pitch_rad, tolerance_deg * degree_rad);
     EXPECT_NEAR(found.forward_m, truth.forward_m, 0.002 + 0.02 * std::abs(truth.forward_m));
 }
 
 TEST(SearchMotion, FindsATurnBeyondTheWindowsToEitherSide) {
     for (const double side : {1.0, -1.0}) {
-        const Motion truth{4.0 * degree * side, 0.0, 0.03};  // 43 px
+        const Motion truth{4.0 * degree_rad * side, 0.0, 0.03};  // 43 px
         Fields fields(testing::standard_camera(), truth);
-        EXPECT_GT(std::abs(fields.without_search().motion.omega_rad - truth.omega_rad), 1.0 * degree);
+        EXPECT_GT(std::abs(fields.without_search().motion.omega_rad - truth.omega_rad), 1.0 * degree_rad);
         expect_found(fields.motion(), truth);
     }
 }
 
 TEST(SearchMotion, FindsATurnFarBeyondTheWindowsOnTheQuarterImages) {
     for (const double side : {1.0, -1.0}) {
-        const Motion truth{9.6 * degree * side, 0.0, 0.016};  // 104 px
+        const Motion truth{9.6 * degree_rad * side, 0.0, 0.016};  // 104 px
         expect_found(Fields(testing::standard_camera(), truth).motion(), truth);
     }
 }
 
 TEST(SearchMotion, FindsAPitchUpAndDown) {
     for (const double direction : {1.0, -1.0}) {
-        const Motion truth{0.0, 1.2 * degree * direction, 0.016};  // 13 px
+        const Motion truth{0.0, 1.2 * degree_rad * direction, 0.016};  // 13 px
         Fields fields(testing::standard_camera(), truth);
-        EXPECT_GT(std::abs(fields.without_search().motion.pitch_rad - truth.pitch_rad), 0.3 * degree);
+        EXPECT_GT(std::abs(fields.without_search().motion.pitch_rad - truth.pitch_rad), 0.3 * degree_rad);
         expect_found(fields.motion(), truth);
     }
 }
 
 TEST(SearchMotion, FindsAPitchAboutATurnThatOnlyThePredictionKnows) {
     for (const double direction : {1.0, -1.0}) {
-        const Motion truth{21.0 * degree, 1.2 * degree * direction, 0.016};  // 204 px, beyond all windows
+        const Motion truth{21.0 * degree_rad, 1.2 * degree_rad * direction,
+                           0.016};  // 204 px, beyond all windows
         motion::MotionPrediction prediction;
         prediction.omega_rad = truth.omega_rad;
         Fields fields(testing::standard_camera(), truth);
-        EXPECT_GT(std::abs(fields.motion().omega_rad - truth.omega_rad), 1.0 * degree);
-        // Large turns about two axes do not commute, and the estimate takes them together.
+        EXPECT_GT(std::abs(fields.motion().omega_rad - truth.omega_rad), 1.0 * degree_rad);
+        // Large turns about two axes do not commute; the estimate adds them, hence the tolerance.
         expect_found(fields.motion(prediction), truth, 0.1);
     }
 }
@@ -128,22 +129,22 @@ TEST(SearchMotion, FindsFastTravelForwardAndBackward) {
 
 TEST(SearchMotion, FindsATurnWithFastTravel) {
     for (const double side : {1.0, -1.0}) {
-        const Motion truth{3.0 * degree * side, 0.0, 0.08};
+        const Motion truth{3.0 * degree_rad * side, 0.0, 0.08};
         expect_found(Fields(testing::standard_camera(), truth).motion(), truth);
     }
 }
 
 TEST(SearchMotion, AWrongPredictionDoesNotDisturbIt) {
     motion::MotionPrediction wrong;
-    wrong.omega_rad = 5.0 * degree;
+    wrong.omega_rad = 5.0 * degree_rad;
     wrong.forward_m = 0.2;
-    const Motion truth{-4.0 * degree, 0.0, 0.03};
+    const Motion truth{-4.0 * degree_rad, 0.0, 0.03};
     expect_found(Fields(testing::standard_camera(), truth).motion(wrong), truth);
 }
 
 TEST(SearchTravel, FindsTravelBeyondTheWindowsForwardAndBackward) {
     for (const double forward_m : {0.04, 0.075, -0.025}) {  // 27 px, 50 px and 17 px at the lower border
-        for (const double omega_rad : {0.0, 1.0 * degree, -1.0 * degree}) {
+        for (const double omega_rad : {0.0, 1.0 * degree_rad, -1.0 * degree_rad}) {
             Fields fields(low_camera(), {omega_rad, 0.0, forward_m});
             motion::MotionPrediction known;
             known.omega_rad = omega_rad;
@@ -162,7 +163,7 @@ TEST(SearchTravel, OverAFloorWithoutTextureItIsWhatIsKnown) {
         known.omega_rad = 0.01;
         known.forward_m = forward_m;
         const motion::MotionPrediction found =
-            Fields(low_camera(), {0.01, 0.0, 0.064}, testing::Surface::Plain).travel(known);
+            Fields(low_camera(), {0.01, 0.0, 0.064}, sim::Surface::Plain).travel(known);
         EXPECT_EQ(found.forward_m, forward_m);
         EXPECT_EQ(found.omega_rad, 0.01);
     }

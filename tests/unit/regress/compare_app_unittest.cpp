@@ -18,7 +18,7 @@ class RegressCompare : public testing::PretendedReplay {
         return testing::run_app(run_regress_app, "flownav-regress", more);
     }
 
-    /// What the page's script gets.
+    /// The data of the page's script.
     nlohmann::json data_of(const std::string& page) const {
         const std::string text = text_of(page);
         const std::string start = "<script type='application/json' id='data'>";

@@ -10,7 +10,7 @@ namespace flownav::regress {
 namespace {
 
 constexpr auto rms = "errors.ground_truth.omega_rms_degps";    // 10 %, lower is better
-constexpr auto points = "written.obstacle_points";             // 2 %, neither way is better
+constexpr auto points = "written.obstacle_points";             // 2 %, no direction is better
 constexpr auto fields = "read.fields";                         // must not change
 constexpr auto speed_sd = "errors.ground_truth.v_sd_percent";  // lower is better
 

@@ -5,11 +5,12 @@
 #include <opencv2/core.hpp>
 
 #include "app_runs.h"
+#include "flownav/math/units.h"
 #include "flownav/regress/column_file.h"
 #include "flownav/regress/paired_charts.h"
 #include "flownav/regress/paired_maps.h"
 
-// MRPT forgets the parser of a text that is no YAML; for builds with the address sanitizer.
+// Suppresses a leak: MRPT does not free the parser of an invalid YAML text.
 extern "C" const char* __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier)
     return "leak:libfyaml";
 }
@@ -29,7 +30,7 @@ class DrivePair : public ::testing::Test {
     fs::path folder_ = testing::folder_of_test("drive_pair");
 };
 
-/// A run of `fields` fields, three a cycle, with `points` obstacle points at the end of each.
+/// A run of `fields` fields in cycles of three, with `points` obstacle points at the end of each cycle.
 Columns run_of(std::size_t fields, double points, double turn_radps = 0.1) {
     Columns run;
     for (std::size_t i = 0; i < fields; ++i) {
@@ -78,7 +79,7 @@ TEST_F(DrivePair, CountsAreComparedAtTheEndsOfCycles) {
 TEST_F(DrivePair, WhatWasNotMeasuredInterruptsTheCurve) {
     const report::ReportChart turn = chart(paired_charts(run_of(4, 1.0), run_of(4, 1.0)), "omega_radps");
     EXPECT_EQ(turn.series[0].values[0], report::ReportSeries::gap);
-    EXPECT_NEAR(turn.series[0].values[1], 0.1 * 180.0 / M_PI, 1e-9);
+    EXPECT_NEAR(turn.series[0].values[1], deg(0.1), 1e-9);
     EXPECT_EQ(turn.series[2].values[0], report::ReportSeries::none);
 }
 
@@ -133,10 +134,10 @@ TEST_F(DrivePair, DamagedMapsAreNone) {
 
 TEST_F(DrivePair, OccupiedCellsAreComparedAtTheirPlaces) {
     MapFile before = map_of(10, 8, 0.5), after = map_of(20, 20, 0.5);
-    after.left_m = -2.0;  // 4 cells further to the left, and 2 lower
+    after.left_m = -2.0;  // 4 cells further left and 2 lower
     after.bottom_m = -1.0;
     before.cells.at<std::uint8_t>(7 - 3, 5) = occupied;  // at x 2.5, y 1.5
-    after.cells.at<std::uint8_t>(19 - 5, 9) = occupied;  // the same place
+    after.cells.at<std::uint8_t>(19 - 5, 9) = occupied;  // the cell of `after` at the same position
     before.cells.at<std::uint8_t>(7, 0) = occupied;
     after.cells.at<std::uint8_t>(19 - 6, 9) = occupied;
     after.cells.at<std::uint8_t>(19 - 6, 10) = occupied;

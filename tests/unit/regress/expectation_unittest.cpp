@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "app_runs.h"
+#include "flownav/cli/usage_error.h"
 #include "flownav/regress/junit.h"
-#include "flownav/regress/usage_error.h"
 
 namespace flownav::regress {
 namespace {
@@ -115,7 +115,7 @@ class ExpectationFile : public ::testing::Test {
     std::string message_of(const std::string& text) const {
         try {
             read_expectation(put(text));
-        } catch (const UsageError& error) {
+        } catch (const cli::UsageError& error) {
             return error.what();
         }
         return "";
@@ -133,7 +133,7 @@ TEST_F(ExpectationFile, ReadsBackToTheSameText) {
 }
 
 TEST_F(ExpectationFile, WhatCannotBeUnderstoodIsNamed) {
-    EXPECT_THROW(read_expectation(folder_ / "none.json"), UsageError);
+    EXPECT_THROW(read_expectation(folder_ / "none.json"), cli::UsageError);
     EXPECT_NE(message_of("{\"format\": 2}").find("format is 2, this program reads format 1"),
               std::string::npos);
     EXPECT_NE(message_of("{").find("expected.json"), std::string::npos);

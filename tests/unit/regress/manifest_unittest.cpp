@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "app_runs.h"
+#include "flownav/cli/usage_error.h"
 #include "flownav/regress/sha256.h"
-#include "flownav/regress/usage_error.h"
 
 namespace flownav::regress {
 namespace {
@@ -18,7 +18,7 @@ const std::string sha_b(64, 'b');
 std::string message_of(const std::string& text) {
     try {
         parse_manifest(text, "list");
-    } catch (const UsageError& error) {
+    } catch (const cli::UsageError& error) {
         return error.what();
     }
     return "";
@@ -65,8 +65,8 @@ TEST(Manifest, BadLinesAreRefusedWithTheirNumber) {
 }
 
 TEST(Manifest, AFileThatIsNotThereIsNamed) {
-    EXPECT_THROW(read_manifest("/nowhere/manifest"), UsageError);
-    EXPECT_THROW(read_manifest("/"), UsageError);
+    EXPECT_THROW(read_manifest("/nowhere/manifest"), cli::UsageError);
+    EXPECT_THROW(read_manifest("/"), cli::UsageError);
 }
 
 class ManifestOfFolder : public ::testing::Test {
@@ -93,10 +93,10 @@ TEST_F(ManifestOfFolder, EveryRawlogBelowItHasALineAndAnIdentifier) {
 }
 
 TEST_F(ManifestOfFolder, WhatWouldBeAmbiguousIsRefused) {
-    EXPECT_THROW(manifest_of_folder(folder_, folder_), UsageError);
+    EXPECT_THROW(manifest_of_folder(folder_, folder_), cli::UsageError);
     put("a-b.rawlog", "1");
     put("a/b.rawlog", "2");
-    EXPECT_THROW(manifest_of_folder(folder_, folder_), UsageError);
+    EXPECT_THROW(manifest_of_folder(folder_, folder_), cli::UsageError);
 }
 
 TEST(Sha256, IsThatOfTheStandard) {

@@ -13,9 +13,8 @@
 
 namespace flownav::testing {
 
-/// A folder with a program that stands in for flownav-replay and "rawlogs" that tell it what to do: fine,
-/// damaged, crash, hang, unwritable. Each replay is noted in `calls`; a hanging one opens the FIFO `started`
-/// first.
+/// A folder with a fake flownav-replay and "rawlogs" that select its behaviour: fine, damaged, crash, hang,
+/// unwritable. Each replay is noted in `calls`; a hanging one opens the FIFO `started` first.
 class PretendedReplay : public ::testing::Test {
   protected:
     void SetUp() override {
@@ -31,7 +30,7 @@ class PretendedReplay : public ::testing::Test {
         std::filesystem::permissions(program(), std::filesystem::perms::owner_all);
     }
 
-    /// Another line of the manifest.
+    /// Adds a line to the manifest.
     void add(const std::string& id, const std::string& what) {
         const std::string text = what + " " + id;
         std::ofstream(folder_ / (id + ".rawlog")) << text;

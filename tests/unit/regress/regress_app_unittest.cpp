@@ -27,7 +27,7 @@ void expect_says(const std::string& text, const std::vector<std::string>& words)
 
 class RegressRun : public testing::PretendedReplay {
   protected:
-    /// Every file of the results by its path, without what may differ from run to run.
+    /// Content of every result file by its path, except files that differ from run to run.
     std::map<std::string, std::string> results(const std::string& output) const {
         std::map<std::string, std::string> files;
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_ / output))
@@ -41,8 +41,8 @@ class RegressRun : public testing::PretendedReplay {
         return nlohmann::json::parse(text_of("out/failed/" + id + "/failure.json"));
     }
 
-    /// Runs in a process of its own until the hanging rawlog is under way, sends it a signal, and returns the
-    /// state that waitpid() gives.
+    /// Runs in a child process until the hanging rawlog is running, sends it a signal, and returns the state
+    /// of waitpid().
     int state_after(int signal) {
         add("endless", "hang");
         mkfifo((folder_ / "started").c_str(), 0600);
@@ -123,7 +123,8 @@ TEST_F(RegressRun, AReplayThatHangsIsEnded) {
     lines_.clear();
     add("endless", "hang");
     add("one", "fine");
-    EXPECT_EQ(run({"--time-limit", "0.2"}).status, 1);  // nobody reads the FIFO: it is a file
+    // Without a reader for the FIFO, the pretended replay finds a plain file.
+    EXPECT_EQ(run({"--time-limit", "0.2"}).status, 1);
     EXPECT_EQ(failure("endless")["reason"], "took longer than 0.2 s");
     EXPECT_TRUE(has("out/done/one"));
 }
@@ -213,7 +214,7 @@ TEST_F(RegressRun, AfterSigkillTheNextRunGoesOnFromThere) {
 
 TEST_F(RegressRun, CheckComparesWithWhatWasAccepted) {
     run();
-    EXPECT_EQ(regress("check").status, 2);  // nothing is expected yet
+    EXPECT_EQ(regress("check").status, 2);  // without an expectation
     EXPECT_EQ(regress("accept").status, 0);
     EXPECT_EQ(regress("check").status, 0);
     run({"--set", "obstacles.tau_px=2"}, "other");

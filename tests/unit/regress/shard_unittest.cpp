@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "flownav/regress/usage_error.h"
+#include "flownav/cli/usage_error.h"
 
 namespace flownav::regress {
 namespace {
@@ -24,7 +24,7 @@ void expect_refused(const Variables& variables, const std::string& word, const s
     try {
         shard_of(variables, index, count);
         ADD_FAILURE() << "accepted, without a word of " << word;
-    } catch (const UsageError& error) {
+    } catch (const cli::UsageError& error) {
         EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
     }
 }

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 class Stored : public ::testing::Test {
   protected:
-    /// A folder with the result of a replay, ready to be stored.
+    /// A folder with a complete result of a replay.
     ScratchFolder made(const std::string& key, const char* file = result_file,
                        const std::string& more = "") const {
         ScratchFolder folder = store_.scratch("one");

@@ -7,7 +7,7 @@
 namespace flownav::replay {
 namespace {
 
-/// Time goes on by waiting and working only.
+/// A clock that advances by waiting and working only.
 struct FakeClock {
     double now_s = 100.0;
     PaceClock clock() {
@@ -40,7 +40,7 @@ TEST(PacedRun, AFastChainTakesEveryFieldWithTheLatencyOfItsWork) {
 TEST(PacedRun, ASlowChainDropsTheOlderFieldAndTakesTheNewest) {
     std::vector<std::uint64_t> worked;
     const PacedFields fields = run(7, 2.5, worked);
-    // Done at 2.5 with 1 and 2 waiting: takes 2 until 5.0, when 5 has just come; takes 5 until 7.5, then 6.
+    // At 2.5, fields 1 and 2 wait: takes 2 until 5.0. Field 5 has just arrived: takes 5 until 7.5, then 6.
     EXPECT_EQ(worked, (std::vector<std::uint64_t>{0, 2, 5, 6}));
     EXPECT_EQ(fields.arrived, 7U);
     EXPECT_EQ(fields.dropped, 3U);

@@ -1,7 +1,8 @@
-// Decoding and drawing in threads of their own: what the thread sanitizer looks at.
+// Decoding and drawing in separate threads, for the thread sanitizer.
 #include <gtest/gtest.h>
 
 #include "../support/temporary_folder.h"
+#include "flownav/cli/exit_status.h"
 #include "flownav/io/decode_ahead.h"
 #include "flownav/replay/replay.h"
 
@@ -11,7 +12,7 @@ namespace {
 using testing::bytes_of;
 using testing::TemporaryFolder;
 
-/// Times of all events, and where reading ended.
+/// Times of all events, and the position where reading ended.
 std::vector<double> times_of(bool ahead) {
     io::RawlogReader reader(FLOWNAV_CORRIDOR);
     io::FieldSource source(reader, {});
@@ -45,10 +46,23 @@ TEST(ThreadedReplay, TwoThreadsGiveTheFilesOfOne) {
         options.input = FLOWNAV_CORRIDOR;
         options.output = folder / std::to_string(threads);
         options.config.pipeline.threads = threads;
-        ASSERT_EQ(replay(options).status, ExitStatus::Fine);
+        ASSERT_EQ(replay(options).status, cli::ExitStatus::Fine);
     }
     for (const char* name : {"trajectory.tum", "obstacles.csv", "result.rawlog", "report.html"})
         EXPECT_EQ(bytes_of(folder / "1" / name), bytes_of(folder / "2" / name)) << name;
+}
+
+TEST(Replay, EveryMapFileThatCannotBeWrittenIsNamed) {
+    const TemporaryFolder folder;
+    for (const std::string name : {"map.gridmap.gz", "map.yaml", "map.pgm"}) {
+        ReplayOptions options;
+        options.input = FLOWNAV_CORRIDOR;
+        options.output = folder / ("without_" + name);
+        std::filesystem::create_directories(options.output / name);  // a folder of that name is in the way
+        const ReplayResult result = replay(options);
+        EXPECT_EQ(result.status, cli::ExitStatus::Output);
+        EXPECT_NE(result.message.find((options.output / name).string()), std::string::npos) << result.message;
+    }
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ const mrpt::maps::COccupancyGridMap2D& unknown_map() {
     return map;
 }
 
-/// How many pictures a video gets of fields taken at these times.
+/// Number of video frames for fields with these time stamps.
 std::uint64_t frames_of(const std::vector<double>& times_s) {
     const TemporaryFolder folder;
     DriveVideo video(folder / "drive.mp4", 4.0);

@@ -8,7 +8,7 @@ namespace {
 using Grid = mrpt::maps::COccupancyGridMap2D;
 
 constexpr int size_px = 400;
-constexpr double size_m = 4.0;  // 100 pixels a metre
+constexpr double size_m = 4.0;  // 100 pixels per metre
 const cv::Vec3b vermilion(0, 94, 213);
 const cv::Vec3b blue(178, 114, 0);
 

@@ -37,7 +37,7 @@ bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-/// The data that the page's script draws.
+/// The JSON data of the page's script.
 json data_of(const std::string& html) {
     const std::string begin = "id='data'>";
     const auto from = html.find(begin) + begin.size();
@@ -56,7 +56,7 @@ json series_of(const json& chart, const std::string& name) {
     return nullptr;
 }
 
-/// Keys of every figure in a part of the summary, as in "read.fields".
+/// Collects the keys of all figures in a part of the summary, such as "read.fields".
 void collect_keys(const json& part, const std::string& path, std::vector<std::string>& keys) {
     for (const auto& [name, value] : part.items()) {
         const std::string key = path.empty() ? name : std::string(path).append(".").append(name);
@@ -115,7 +115,7 @@ TEST(Report, ChartsHoldFlowOdometryAndTruthOverTime) {
     EXPECT_NEAR(series_of(chart_of(data, "turn"), "ground truth")[30].get<double>(), 11.459, 2e-3);
     EXPECT_NEAR(series_of(chart_of(data, "speed"), "flow")[4].get<double>(), 0.4, 1e-3);
     EXPECT_TRUE(series_of(chart_of(data, "speed"), "flow")[5].is_null()) << "measured at ends of cycles only";
-    const json labels = chart_of(data, "fates");
+    const json labels = chart_of(data, "labels");
     EXPECT_EQ(labels["t"][1], 0.16) << "once a cycle";
     EXPECT_EQ(series_of(labels, "obstacle")[1], 1);
     EXPECT_EQ(series_of(labels, "obstacle")[0], false);
@@ -211,7 +211,7 @@ TEST(Report, TheSameDriveGivesTheSameBytes) {
     EXPECT_EQ(report_of(sample_drive(60)), report_of(sample_drive(60)));
 }
 
-/// Two hours of a drive with trouble every now and then.
+/// A drive of two hours with occasional faults.
 evaluation::Drive long_drive() {
     evaluation::Drive drive;
     drive.end.kind = io::ReadEnd::Kind::Clean;

@@ -7,26 +7,26 @@
 #include "flownav/pipeline/step.h"
 #include "flownav/report/thumbnail_strip.h"
 
-/// Hand-made steps, fields and drives for the tests of writing.
+/// Hand-made steps, fields and drives for the tests of the outputs.
 namespace flownav::testing {
 
 constexpr double start_s = 1000.0;
 constexpr double period_s = 0.04;
 constexpr int cycle_images = 4;
 
-/// Field i of a drive that turns with a constant rate at a constant speed; every fourth ends a cycle.
+/// Field i of a drive with constant turn rate and speed; every fourth ends a cycle.
 pipeline::Step step_at(int i, double omega_radps = 0.2, double v_mps = 0.4);
 
-/// A grey ramp of the size and shape of a PAL field.
+/// A grey ramp with the size of a PAL field.
 Field pal_field(int i);
 
-/// Such a drive as it stands before the outputs are finished, with odometry and ground truth that are exact.
+/// A drive of such fields before the outputs are finished, with exact odometry and ground truth.
 evaluation::Drive sample_drive(int fields);
 
-/// The pictures of such a drive.
+/// The thumbnails of such a drive.
 report::ThumbnailStrip sample_thumbnail_strip(int fields);
 
-/// What a file holds; fails the test when it cannot be read.
+/// Content of a file; fails the test when it cannot be read.
 std::string content(const std::filesystem::path& file);
 
 }  // namespace flownav::testing

@@ -13,7 +13,7 @@ namespace {
 using testing::pal_field;
 using testing::step_at;
 
-/// A field that JPEG can hardly compress.
+/// A field that JPEG compresses badly.
 Field noisy_field(int i) {
     constexpr int width = 720;
     constexpr int height = 270;

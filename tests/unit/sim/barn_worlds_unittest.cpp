@@ -1,4 +1,4 @@
-// BARN's worlds, of the optional test data.
+// BARN's worlds from the optional test data.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -22,7 +22,7 @@ fs::path data_folder() {
     return given != nullptr ? given : FLOWNAV_DATA_DIR;
 }
 
-/// BARN's worlds, unpacked for the life of the object.
+/// Unpacks BARN's worlds for the lifetime of the object.
 class UnpackedWorlds {
   public:
     explicit UnpackedWorlds(const fs::path& archive)
@@ -55,8 +55,8 @@ class UnpackedWorlds {
     bool unpacked_ = false;
 };
 
-/// Where the posts of one of BARN's files stand, read line by line: the pose is two lines below the name of
-/// each model. The same names come again in the state at the end.
+/// Positions of the posts in one of BARN's files, read line by line: the pose is two lines below the name of
+/// each model. The state at the end repeats the names.
 std::vector<Eigen::Vector2d> posts_by_text(const fs::path& file) {
     std::vector<Eigen::Vector2d> posts_m;
     std::ifstream stream(file);

@@ -6,6 +6,7 @@
 #include <opencv2/video/tracking.hpp>
 #include <vector>
 
+#include "flownav/math/units.h"
 #include "flownav/pipeline/pipeline.h"
 #include "flownav/testing/scene.h"
 #include "flownav/testing/truth.h"
@@ -36,8 +37,8 @@ double percentile(std::vector<double> values, double share) {
     return *at;
 }
 
-/// The world's point that a pixel of a depth picture shows.
-Vector3d point_of(const testing::View& view, const Vector2d& pixel, double depth_m) {
+/// The world point at a pixel of a depth image.
+Vector3d point_of(const sim::View& view, const Vector2d& pixel, double depth_m) {
     const CameraMount& mount = view.camera.mount;
     const Vector2d ray = RayMapper(view.camera).ray(pixel);
     const double s = std::sin(mount.pitch_rad);
@@ -50,9 +51,9 @@ Vector3d point_of(const testing::View& view, const Vector2d& pixel, double depth
 
 TEST(CameraFlow, OfItsDepthIsThatOfTheAnalyticRenderer) {
     const testing::Scene scene = quiet_scene(testing::SceneKind::Corridor, 60);
-    const testing::View from = testing::nominal_view(scene, 30);
-    const testing::View to = testing::nominal_view(scene, 34);
-    CameraSimulator simulator(same_world(scene.world), clean(scene.options.camera));
+    const sim::View from = testing::nominal_view(scene, 30);
+    const sim::View to = testing::nominal_view(scene, 34);
+    CameraSimulator simulator(scene.world, clean(scene.options.camera));
     const cv::Mat1f depth = simulator.depth_m(scene.poses[30], scene.time_s(30));
     std::vector<double> errors_px;
     for (int v = 4; v < depth.rows; v += 9) {
@@ -68,7 +69,7 @@ TEST(CameraFlow, OfItsDepthIsThatOfTheAnalyticRenderer) {
     EXPECT_LT(percentile(errors_px, 1.0), 0.05);
 }
 
-/// Errors of the flow that a tracker finds between two pictures.
+/// Errors of the flow that a tracker finds between two images.
 struct FlowErrors {
     std::vector<double> x_px;
     std::vector<double> y_px;
@@ -82,8 +83,8 @@ FlowErrors tracked(const cv::Mat1b& from, const cv::Mat1b& to, const testing::Sc
     cv::goodFeaturesToTrack(from, points, 600, 0.01, 10.0);
     const cv::TermCriteria fine(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 40, 0.001);
     cv::calcOpticalFlowPyrLK(from, to, points, moved, found, residuals, {15, 15}, 3, fine);
-    const testing::View before = testing::nominal_view(scene, i);
-    const testing::View after = testing::nominal_view(scene, j);
+    const sim::View before = testing::nominal_view(scene, i);
+    const sim::View after = testing::nominal_view(scene, j);
     FlowErrors errors;
     for (std::size_t k = 0; k < points.size(); ++k) {
         const auto truth =
@@ -91,7 +92,7 @@ FlowErrors tracked(const cv::Mat1b& from, const cv::Mat1b& to, const testing::Sc
         if (found[k] == 0 || !truth || !truth->inside || truth->occluded) continue;
         const Vector2d error(moved[k].x - points[k].x - truth->flow_px.x(),
                              moved[k].y - points[k].y - truth->flow_px.y());
-        if (error.norm() > 1.0) continue;  // at edges of things
+        if (error.norm() > 1.0) continue;  // outliers at the edges of objects
         errors.x_px.push_back(error.x());
         errors.y_px.push_back(error.y());
     }
@@ -112,7 +113,7 @@ double median_size_px(const FlowErrors& errors) {
 
 TEST(CameraFlow, InItsPicturesIsThatOfTheAnalyticRenderer) {
     const testing::Scene scene = quiet_scene(testing::SceneKind::Corridor, 60);
-    CameraSimulator simulator(same_world(scene.world), clean(scene.options.camera));
+    CameraSimulator simulator(scene.world, clean(scene.options.camera));
     FlowErrors rendered;
     FlowErrors analytic;
     for (const int i : {10, 30, 50}) {
@@ -130,10 +131,10 @@ TEST(CameraFlow, InItsPicturesIsThatOfTheAnalyticRenderer) {
     EXPECT_LT(median_size_px(rendered), median_size_px(analytic) + 0.05);
 }
 
-/// What the sensor makes of a drive, in terms of the truth.
+/// Errors of the sensor over a drive, relative to ground truth.
 struct SensorErrors {
-    double yaw_rad = 0.0;          ///< of the whole drive
-    double travel_share = 0.0;     ///< of the whole drive
+    double yaw_rad = 0.0;          ///< over the whole drive
+    double travel_share = 0.0;     ///< over the whole drive
     double omega_rms_radps = 0.0;  ///< per cycle
     int cycles = 0;
 };
@@ -166,17 +167,16 @@ SensorErrors sensor_errors(const testing::Scene& scene, const Take& take) {
 
 void compare_sensor(testing::SceneKind kind, int images) {
     const testing::Scene scene = quiet_scene(kind, images, testing::standard_camera(360, 270));
-    CameraSimulator simulator(same_world(scene.world), clean(scene.options.camera));
+    CameraSimulator simulator(scene.world, clean(scene.options.camera));
     const SensorErrors rendered =
         sensor_errors(scene, [&](int i) { return simulator.take(i, scene.poses[i], scene.time_s(i)); });
     const SensorErrors analytic = sensor_errors(scene, [&](int i) { return testing::make_field(scene, i); });
-    constexpr double degree = M_PI / 180.0;
     EXPECT_GT(rendered.cycles, images / 10);
-    EXPECT_NEAR(rendered.omega_rms_radps, analytic.omega_rms_radps, 0.1 * degree);
-    EXPECT_LT(rendered.omega_rms_radps, 0.15 * degree);
+    EXPECT_NEAR(rendered.omega_rms_radps, analytic.omega_rms_radps, 0.1 * degree_rad);
+    EXPECT_LT(rendered.omega_rms_radps, 0.15 * degree_rad);
     EXPECT_NEAR(rendered.travel_share, 0.0, 0.005);
     EXPECT_NEAR(rendered.travel_share, analytic.travel_share, 0.005);
-    EXPECT_NEAR(rendered.yaw_rad, analytic.yaw_rad, 0.2 * degree);
+    EXPECT_NEAR(rendered.yaw_rad, analytic.yaw_rad, 0.2 * degree_rad);
 }
 
 TEST(CameraFlow, GivesTheSensorTheSameStraightDrive) {

@@ -10,8 +10,8 @@
 namespace flownav::sim {
 namespace {
 
-/// Gives every matrix of OpenCV memory that ends at a page which nobody may touch: what is written beyond the
-/// end ends the test. The image that OpenGL is read back into is such a matrix.
+/// Allocates OpenCV matrices right before a guard page, so that a write beyond their end crashes. The image
+/// that OpenGL is read back into is such a matrix.
 class GuardedAllocator : public cv::MatAllocator {
   public:
     cv::UMatData* allocate(int dims, const int* sizes, int type, void* data, std::size_t* step,
@@ -45,7 +45,7 @@ class GuardedAllocator : public cv::MatAllocator {
 
   private:
     static std::size_t page_size() { return static_cast<std::size_t>(sysconf(_SC_PAGESIZE)); }
-    /// Of whole pages for `total` bytes, and the guard.
+    /// Whole pages for `total` bytes, plus the guard page.
     static std::size_t bytes(std::size_t total) {
         return (total + page_size() - 1) / page_size() * page_size() + page_size();
     }
@@ -56,7 +56,7 @@ class CameraMemory : public ::testing::TestWithParam<int> {
     CameraMemory() : usual_(cv::Mat::getDefaultAllocator()) { cv::Mat::setDefaultAllocator(&guarded_); }
     ~CameraMemory() override { cv::Mat::setDefaultAllocator(usual_); }
 
-    /// An image without noise, of a camera whose optics do not depend on the width of its image.
+    /// An image without noise; the optics of the camera do not depend on the image width.
     static Field image_of(int width_px, const std::array<double, 5>& distortion = {}) {
         CameraSimParams params;
         params.camera.width_px = width_px;
@@ -84,7 +84,7 @@ TEST_P(CameraMemory, NothingIsWrittenBeyondAnImageOfAnyWidth) {
     const Field field = image_of(GetParam());
     ASSERT_EQ(field.image.width_px, GetParam());
     const Field wide = image_of((GetParam() + 7) / 4 * 4);
-    // The projection of another width rounds otherwise; rows that are shifted would differ all over.
+    // Another width changes the rounding of single pixels; shifted rows would change most pixels.
     int different = 0;
     for (int v = 0; v < field.image.height_px; ++v) {
         for (int u = 0; u < field.image.width_px; ++u)

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "flownav/math/units.h"
 #include "flownav/testing/camera.h"
 #include "flownav/testing/truth.h"
 #include "rendered.h"
@@ -16,7 +17,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double degree = M_PI / 180.0;
 constexpr double bright = 220.0;
 constexpr double dark = 40.0;
 
@@ -33,7 +33,7 @@ void PrintTo(const Optics& optics, std::ostream* out) {
 
 CameraModel tilted_camera() {
     CameraModel camera = testing::standard_camera(320, 240);
-    camera.mount = {0.8, 12 * degree, 3 * degree, 0.0, 0.0, 0.0};
+    camera.mount = {0.8, 12 * degree_rad, 3 * degree_rad, 0.0, 0.0, 0.0};
     return camera;
 }
 
@@ -45,7 +45,7 @@ std::vector<Optics> all_optics() {
     camera.fx_px = 340.0;
     camera.fy_px = 290.0;
     all.push_back({"OffCentreAndUnequal", camera});
-    camera.mount = {0.7, 8 * degree, -6 * degree, 9 * degree, -0.25, 0.1};
+    camera.mount = {0.7, 8 * degree_rad, -6 * degree_rad, 9 * degree_rad, -0.25, 0.1};
     all.push_back({"Mounted", camera});
     camera.distortion = {-0.25, 0.08, 0.002, -0.003, -0.01};
     all.push_back({"Barrel", camera});
@@ -59,10 +59,10 @@ std::vector<Optics> all_optics() {
     return all;
 }
 
-/// A bright plate ahead of a dark wall; nothing else has an edge.
-const Pose2 robot_pose{0.3, -0.2, 5 * degree};
+/// A bright plate ahead of a dark wall; the scene has no other edges.
+const Pose2 robot_pose{0.3, -0.2, 5 * degree_rad};
 const Eigen::Isometry3d T_world_plate =
-    Eigen::Translation3d(2.4, 0.05, 0.55) * Eigen::AngleAxisd(8 * degree, Vector3d::UnitZ());
+    Eigen::Translation3d(2.4, 0.05, 0.55) * Eigen::AngleAxisd(8 * degree_rad, Vector3d::UnitZ());
 const Vector2d plate_half_m(0.3, 0.22);
 
 World plate_world() {
@@ -80,7 +80,7 @@ World plate_world() {
     return world;
 }
 
-/// Where a line of pixels steps between dark and bright, from the light on it.
+/// Position of the step between dark and bright in a line of pixels, from their brightness.
 double step_px(const cv::Mat1b& line, int first, int last) {
     double light = 0.0;
     for (int i = first; i <= last; ++i) light += (line(i) - dark) / (bright - dark);
@@ -88,8 +88,8 @@ double step_px(const cv::Mat1b& line, int first, int last) {
     return rises ? last + 0.5 - light : first - 0.5 + light;
 }
 
-/// Mean distance, along rows or along columns, of an edge of the picture from where it should be.
-double edge_error_px(const cv::Mat1b& picture, const testing::View& view, const Vector2d& from_m,
+/// Mean distance of an edge of the image from its true place, along rows or columns.
+double edge_error_px(const cv::Mat1b& picture, const sim::View& view, const Vector2d& from_m,
                      const Vector2d& to_m) {
     double sum = 0.0;
     int count = 0;
@@ -120,7 +120,7 @@ TEST_P(CameraOptics, EdgesLieWhereTheCalibrationHasThem) {
     CameraSimulator simulator(plate_world(), params);
     const Field field = simulator.take(optics.image, robot_pose, 0.0);
     const cv::Mat1b picture = picture_of(field);
-    const testing::View view{field.camera, robot_pose, 0.0};
+    const sim::View view{field.camera, robot_pose, 0.0};
     EXPECT_NEAR(edge_error_px(picture, view, {1, -1}, {1, 1}), 0.0, 0.05) << "left";
     EXPECT_NEAR(edge_error_px(picture, view, {-1, -1}, {-1, 1}), 0.0, 0.05) << "right";
     EXPECT_NEAR(edge_error_px(picture, view, {-1, 1}, {1, 1}), 0.0, 0.05) << "top";
@@ -147,7 +147,7 @@ TEST(CameraFields, HaveTheCamerasOfTheirParity) {
     }
 }
 
-/// Depth in the level camera, as the analytic truth has it.
+/// Depth in the level camera, as defined by the analytic truth.
 double level_depth_m(const CameraModel& camera, const Vector2d& pixel, double depth_m) {
     const Eigen::Matrix3d R = level_rotation(camera.mount);
     const Vector3d mounted = R.transpose() * RayMapper(camera).ray(pixel).homogeneous();
@@ -158,12 +158,12 @@ TEST(CameraDepth, IsThatOfTheAnalyticRays) {
     testing::SceneOptions options;
     options.kind = testing::SceneKind::Corridor;
     options.camera = testing::standard_camera(320, 240);
-    options.camera.mount.yaw_rad = 6 * degree;
-    options.camera.mount.roll_rad = -4 * degree;
+    options.camera.mount.yaw_rad = 6 * degree_rad;
+    options.camera.mount.roll_rad = -4 * degree_rad;
     options.camera.mount.forward_m = 0.2;
     options.camera.distortion = {-0.2, 0.05, 0.001, 0.002, 0.0};
     const testing::Scene scene = testing::make_scene(options);
-    CameraSimulator simulator(same_world(scene.world), clean(options.camera));
+    CameraSimulator simulator(scene.world, clean(options.camera));
     int compared = 0;
     int things = 0;
     for (const int i : {0, 60}) {
@@ -175,7 +175,7 @@ TEST(CameraDepth, IsThatOfTheAnalyticRays) {
                 const double own = level_depth_m(options.camera, Vector2d(u, v), depth(v, u));
                 EXPECT_NEAR(own, sight ? sight->depth_m : 0.0, 1e-4 * (1.0 + own)) << u << ' ' << v;
                 ++compared;
-                things += sight && sight->primitive >= 0 ? 1 : 0;
+                things += sight && sight->solid >= 0 ? 1 : 0;
             }
         }
     }

@@ -4,18 +4,18 @@
 #include <opencv2/core.hpp>
 #include <stdexcept>
 
+#include "flownav/math/units.h"
 #include "flownav/testing/camera.h"
 #include "rendered.h"
 
-/// Under sanitizers: Mesa's drivers keep what they allocate once; leaks of our own show in the other tests.
+/// Disables leak detection under sanitizers, because Mesa's drivers keep one-time allocations; other tests
+/// detect leaks of the project.
 extern "C" const char* __asan_default_options() {  // NOLINT
     return "detect_leaks=0";
 }
 
 namespace flownav::sim {
 namespace {
-
-constexpr double degree = M_PI / 180.0;
 
 /// A wall of boxes 3 m ahead.
 World wall_world() {
@@ -43,7 +43,7 @@ cv::Point2d shift_by(const Pose2& pose) {
 
 cv::Point2d shift_by(double CameraMount::*angle) {
     CameraModel camera = small_camera();
-    camera.mount.*angle += 0.5 * degree;
+    camera.mount.*angle += 0.5 * degree_rad;
     return mean_shift(shot(small_camera(), {}), shot(camera, {}));
 }
 
@@ -54,8 +54,8 @@ TEST(CameraSigns, ARobotFurtherLeftSeesThingsFurtherRight) {
 }
 
 TEST(CameraSigns, ATurnToTheLeftMovesThingsToTheRight) {
-    const cv::Point2d shift = shift_by(Pose2{0.0, 0.0, 0.5 * degree});
-    EXPECT_NEAR(shift.x, small_camera().fx_px * 0.5 * degree, 0.6);
+    const cv::Point2d shift = shift_by(Pose2{0.0, 0.0, 0.5 * degree_rad});
+    EXPECT_NEAR(shift.x, small_camera().fx_px * 0.5 * degree_rad, 0.6);
 }
 
 TEST(CameraSigns, ComingNearerMovesTheFloorDownAndMakesTheWallGrow) {
@@ -69,7 +69,7 @@ TEST(CameraSigns, ComingNearerMovesTheFloorDownAndMakesTheWallGrow) {
 }
 
 TEST(CameraSigns, LookingFurtherDownMovesThingsUp) {
-    EXPECT_NEAR(shift_by(&CameraMount::pitch_rad).y, -small_camera().fy_px * 0.5 * degree, 0.5);
+    EXPECT_NEAR(shift_by(&CameraMount::pitch_rad).y, -small_camera().fy_px * 0.5 * degree_rad, 0.5);
 }
 
 TEST(CameraSigns, ACameraTurnedToTheLeftSeesThingsFurtherRight) {
@@ -78,7 +78,7 @@ TEST(CameraSigns, ACameraTurnedToTheLeftSeesThingsFurtherRight) {
 
 TEST(CameraSigns, ACameraTiltedToItsRightSeesThingsTurnToTheLeft) {
     CameraModel camera = small_camera();
-    camera.mount.roll_rad = 1.0 * degree;
+    camera.mount.roll_rad = 1.0 * degree_rad;
     const cv::Mat1b from = shot(small_camera(), {});
     const cv::Mat1b to = shot(camera, {});
     const cv::Rect left(0, 0, 120, 240);
@@ -146,14 +146,14 @@ TEST(CameraEffectsOnPictures, VibrationMovesThePictureAndNotTheCalibration) {
         const double shift_px = mean_shift(expected, picture_of(field)).y;
         squares_px += shift_px * shift_px / 20;
     }
-    EXPECT_NEAR(std::sqrt(squares_px), small_camera().fy_px * 0.3 * degree, 0.6);
+    EXPECT_NEAR(std::sqrt(squares_px), small_camera().fy_px * 0.3 * degree_rad, 0.6);
 }
 
 TEST(CameraEffectsOnPictures, ExposureVignettingAndBlurDoWhatTheySay) {
     World plain;
     plain.floor = {Surface::Plain, 100.0, 1};
     CameraSimParams params = clean(small_camera());
-    params.camera.mount.pitch_rad = 50 * degree;
+    params.camera.mount.pitch_rad = 50 * degree_rad;
     params.effects.gain = 1.5;
     CameraSimulator gained(plain, params);
     EXPECT_NEAR(picture_of(gained.take(0, {}, 0.0))(120, 160), 150, 1);

@@ -30,14 +30,14 @@ World world_of(const Shape& shape, const Isometry3d& pose) {
     return world;
 }
 
-/// 1 m long, 0.5 m wide, the axis 0.3 m ahead of the rear.
+/// A robot 1 m long and 0.5 m wide; the axis is 0.3 m ahead of the rear.
 RobotModel long_robot() {
     RobotModel robot;
     robot.footprint_m = {{0.7, 0.25}, {-0.3, 0.25}, {-0.3, -0.25}, {0.7, -0.25}};
     return robot;
 }
 
-/// A fork that opens forward: 0.4 m deep, 0.4 m wide inside.
+/// A fork that is open at the front: 0.4 m deep, 0.4 m wide inside.
 RobotModel fork_robot() {
     RobotModel robot;
     robot.footprint_m = {{0.5, 0.3},  {-0.2, 0.3}, {-0.2, -0.3}, {0.5, -0.3},
@@ -118,12 +118,12 @@ TEST(Clearance, OfASphereIsThatOfItsWidestSectionBelowTheRobotsTop) {
 }
 
 TEST(Clearance, OfALeaningBoxIsExactUpToTheRobotsTop) {
-    // A plank of 2 m that leans away from the robot: only its part below 1 m counts.
+    // A plank of 2 m leans away from the robot; only its part below 1 m counts.
     Isometry3d leaning = at(2.0, 0.0, 0.0);
     leaning.rotate(AngleAxisd(M_PI / 4, Vector3d::UnitY()));
     RobotModel robot;
     robot.height_m = 0.5;
-    // The plank goes from (1.29, -0.71) to (2.71, 0.71) in x and z; below 0.02 m nothing counts.
+    // The plank extends from (1.29, -0.71) to (2.71, 0.71) in x and z; heights below 0.02 m are ignored.
     const double surface_m = 0.05 / std::sqrt(0.5);  // half the thickness, measured along x
     EXPECT_NEAR(distance(world_of(Box{{0.1, 1.0, 2.0}}, leaning), robot), 2.0 + 0.02 - surface_m - 0.25,
                 1e-9);
@@ -180,7 +180,7 @@ TEST(Clearance, ToManyThingsIsThatToTheNearestOfThem) {
     }
 }
 
-/// Distance between two outlines by brute force: points along one, distance to the other.
+/// Distance between two outlines by brute force, from sampled points on one to the other.
 double sampled_distance(const Polygon& outline, const Polygon& other) {
     double distance_m = INFINITY;
     for (std::size_t i = 0; i < outline.size(); ++i) {

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "flownav/math/units.h"
+
 namespace flownav::sim {
 namespace {
-
-constexpr double degree = M_PI / 180.0;
 
 Pose2 end_of(const std::string& script, const Pose2& start = {}) {
     const TimedPath path = drive_script(script, RobotModel{}, start);
@@ -17,7 +17,7 @@ Pose2 end_of(const std::string& script, const Pose2& start = {}) {
 void expect_pose(const Pose2& pose, double x_m, double y_m, double yaw_deg, double tolerance_m = 2e-3) {
     EXPECT_NEAR(pose.x_m, x_m, tolerance_m);
     EXPECT_NEAR(pose.y_m, y_m, tolerance_m);
-    EXPECT_NEAR(wrap_angle(pose.yaw_rad - yaw_deg * degree), 0.0, 1e-6);
+    EXPECT_NEAR(wrap_angle(pose.yaw_rad - yaw_deg * degree_rad), 0.0, 1e-6);
 }
 
 TEST(DriveScript, DrivesForwardAsFarAsItSays) {
@@ -41,7 +41,7 @@ TEST(DriveScript, StepsFollowEachOther) {
 }
 
 TEST(DriveScript, ACurveTurnsByItsAngleAboutItsRadius) {
-    // Soft ends of the curve shift it by a few centimetres.
+    // Smooth ends of the curve shift it by a few centimetres.
     const Pose2 left = end_of("forward 1; left 90 2; forward 1");
     expect_pose(left, 3.0, 3.0, 90.0, 0.1);
     const Pose2 right = end_of("forward 1; right 90 2; forward 1");

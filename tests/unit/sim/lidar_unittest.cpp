@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "flownav/math/units.h"
+
 namespace flownav::sim {
 namespace {
 
@@ -21,7 +23,7 @@ World world_of(const Shape& shape, double x_m, double y_m, double z_m = 0.5) {
     return world;
 }
 
-/// 5 beams from the right to the left.
+/// 5 beams from right to left.
 LidarParams five_beams() {
     LidarParams params;
     params.field_of_view_deg = 180.0;
@@ -107,9 +109,10 @@ TEST(Lidar, SeesAThingThatLiesAcrossTheBackwardDirection) {
     params.field_of_view_deg = 360.0;
     params.beams = 36;
     const VirtualScan seen = scan(world_of(Cylinder{1.0, 1.0}, -3.0, 0.0), params, {}, 0.0);
-    // Beams 5 degrees to either side of straight back, and on as far as asin(1/3) = 19.5 degrees.
+    // The nearest beams are 5 degrees off straight back; the solid covers asin(1/3) = 19.5 degrees to either
+    // side.
     const double range_m =
-        3.0 * std::cos(5 * M_PI / 180) - std::sqrt(1 - std::pow(3.0 * std::sin(5 * M_PI / 180), 2));
+        3.0 * std::cos(5 * degree_rad) - std::sqrt(1 - std::pow(3.0 * std::sin(5 * degree_rad), 2));
     expect_beam(seen, 0, BeamKind::Obstacle, range_m);
     expect_beam(seen, 35, BeamKind::Obstacle, range_m);
     EXPECT_EQ(seen.beams[1].kind, BeamKind::Obstacle);

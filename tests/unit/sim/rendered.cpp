@@ -5,63 +5,6 @@
 #include <vector>
 
 namespace flownav::sim {
-namespace {
-
-Look look_of(const testing::Texture& texture) {
-    Look look;
-    look.seed = texture.seed;
-    look.grey = std::min(150.0 * texture.shade, 200.0);
-    switch (texture.surface) {
-        case testing::Surface::Plain:
-            look.surface = Surface::Plain;
-            break;
-        case testing::Surface::Carpet:
-            look.surface = Surface::Carpet;
-            break;
-        case testing::Surface::Tiles:
-        case testing::Surface::Stoneware:
-            look.surface = Surface::Tiles;
-            break;
-        case testing::Surface::Lino:
-        case testing::Surface::Marbled:
-            look.surface = Surface::Lino;
-            break;
-        case testing::Surface::Wall:
-        case testing::Surface::Faint:
-            look.surface = Surface::Faint;
-            break;
-        case testing::Surface::Patterned:
-            look.surface = Surface::Patterned;
-            break;
-    }
-    return look;
-}
-
-}  // namespace
-
-World same_world(const testing::World& world, double until_s) {
-    World same;
-    same.floor = look_of(world.ground);
-    for (const testing::Primitive& p : world.primitives) {
-        Solid solid;
-        const double height_m = p.z_high_m - p.z_low_m;
-        if (p.shape == testing::Shape::Box)
-            solid.shape = Box{{2 * p.half_x_m, 2 * p.half_y_m, height_m}};
-        else
-            solid.shape = Cylinder{p.half_x_m, height_m};
-        solid.T_world_solid.translation() << p.centre_m.x(), p.centre_m.y(), (p.z_low_m + p.z_high_m) / 2;
-        solid.T_world_solid.rotate(Eigen::AngleAxisd(p.yaw_rad, Eigen::Vector3d::UnitZ()));
-        solid.look = look_of(p.texture);
-        if (!p.velocity_mps.isZero()) {
-            Eigen::Isometry3d later = solid.T_world_solid;
-            later.translation().head<2>() += until_s * p.velocity_mps;
-            solid.script = {{0.0, solid.T_world_solid}, {until_s, later}};
-        }
-        same.solids.push_back(solid);
-    }
-    return same;
-}
-
 cv::Mat1b picture_of(const Field& field) {
     cv::Mat1b picture(field.image.height_px, field.image.width_px);
     for (int v = 0; v < picture.rows; ++v)

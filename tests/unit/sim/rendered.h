@@ -7,16 +7,13 @@
 
 namespace flownav::sim {
 
-/// The shapes of an analytic world, with looks of this library; what moves there moves for `until_s`.
-World same_world(const testing::World& world, double until_s = 10.0);
-
 /// A copy of the pixels.
 cv::Mat1b picture_of(const Field& field);
 
-/// A camera without noise or any other effect.
+/// A camera without noise and other effects.
 CameraSimParams clean(const CameraModel& camera, int supersampling = 2);
 
-/// Mean shift of what both pictures show, in pixels, where it can be followed.
+/// Mean shift between two pictures, pixels, of the corners that can be tracked; NaN when there are few.
 cv::Point2d mean_shift(const cv::Mat1b& from, const cv::Mat1b& to);
 
 }  // namespace flownav::sim

@@ -68,7 +68,8 @@ TEST(ReadPath, KeepsTheSpeedWhereThereAreNoTimes) {
     const TimedPath path = read_path(file, PathSpeed{0.5, 0.25});
     EXPECT_NEAR(path.at(1.0).x_m, 0.5, 1e-12);
     EXPECT_NEAR(path.at(2.0 + 4.0).yaw_rad, 1.0, 1e-9);
-    EXPECT_NEAR(path.end_s(), 2.0 + 4.0 + M_PI / 2 / 0.25, 1e-9);  // the curve is narrow for 0.5 m/s
+    // The curve limits the speed to less than 0.5 m/s.
+    EXPECT_NEAR(path.end_s(), 2.0 + 4.0 + M_PI / 2 / 0.25, 1e-9);
 }
 
 TEST(ReadPath, SaysFileAndLineOfWhatGoesWrong) {

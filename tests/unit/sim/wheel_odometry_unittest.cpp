@@ -56,7 +56,7 @@ TEST(WheelOdometry, ScalesTurnsAcrossTheBackwardDirection) {
     EXPECT_NEAR(wheels.update({0.0, 0.0, -3.0}).yaw_rad, wrap_angle(3.0 + 1.1 * (2 * M_PI - 6.0)), 1e-9);
 }
 
-/// Standard deviation of the way and the heading after 4 m, read in `steps` steps.
+/// Standard deviation of distance and heading after 4 m, read in `steps` steps.
 Eigen::Vector2d spread(int steps) {
     Eigen::Vector2d squares = Eigen::Vector2d::Zero();
     constexpr int runs = 400;

@@ -10,7 +10,7 @@ namespace {
 
 const std::filesystem::path datasets = FLOWNAV_DATASETS;
 
-/// The command line of the read-me that wrote the data set.
+/// The command line in the data set's read-me that created it.
 std::string documented_command() {
     std::istringstream text(bytes_of(datasets / "README.md"));
     for (std::string line; std::getline(text, line);) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "flownav/math/units.h"
 #include "flownav/testing/scene.h"
 
 namespace flownav::testing {
@@ -46,7 +47,7 @@ TEST(Flicker, IsASineFromImageToImage) {
     const std::vector<double> gains = gains_of(effects);
     EXPECT_NEAR(*std::max_element(gains.begin(), gains.end()), 1.05, 0.001);
     EXPECT_NEAR(*std::min_element(gains.begin(), gains.end()), 0.95, 0.001);
-    EXPECT_NEAR(gains[33], gains[0], 1e-9);  // ten periods later
+    EXPECT_NEAR(gains[33], gains[0], 1e-9);  // after ten periods
 }
 
 TEST(Effects, AreNoneUnlessAskedFor) {
@@ -80,7 +81,7 @@ TEST(UnevenFloor, LooksMeetItsSurface) {
                                          Eigen::Vector2d(600, 300), Eigen::Vector2d(320, 120)}) {
         const auto sight = look(scene.world, true_view(scene, 10), pixel);
         ASSERT_TRUE(sight);
-        if (sight->primitive != ground_primitive) continue;
+        if (sight->solid != floor_index) continue;
         EXPECT_NEAR(sight->point_m.z(), ground_height_m(scene.world, sight->point_m.head<2>()), 1e-5);
     }
 }
@@ -97,8 +98,8 @@ TEST(UnevenFloor, MakesTheRobotHeaveAndPitchALittleAndSmoothly) {
         const double before_m = true_view(scene, i - 1).camera.mount.height_m;
         fastest_m = std::max(fastest_m, std::abs(mount.height_m - before_m));
     }
-    EXPECT_GT(std::sqrt(square_pitch) * 180.0 / M_PI, 0.03);
-    EXPECT_LT(std::sqrt(square_pitch) * 180.0 / M_PI, 0.3);
+    EXPECT_GT(deg(std::sqrt(square_pitch)), 0.03);
+    EXPECT_LT(deg(std::sqrt(square_pitch)), 0.3);
     EXPECT_LT(fastest_m, 0.003);
 }
 

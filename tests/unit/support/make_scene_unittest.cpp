@@ -8,7 +8,7 @@
 namespace flownav::testing {
 namespace {
 
-/// Exit status of the tool; what it says goes to `said`.
+/// Runs the tool with its output in `said`; returns the exit status.
 int run_tool(const std::string& arguments, const std::filesystem::path& said) {
     const std::string command =
         std::string(FLOWNAV_MAKE_SCENE) + ' ' + arguments + " > " + said.string() + " 2>&1";

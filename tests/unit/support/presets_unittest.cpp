@@ -24,14 +24,14 @@ TEST(Presets, AllOfThemMakeScenesAndHaveNamesOfTheirOwn) {
 }
 
 TEST(Presets, SeedChangesTheScene) {
-    EXPECT_NE(scene_of("carpet", 1).world.primitives[20].centre_m,
-              scene_of("carpet", 2).world.primitives[20].centre_m);
+    EXPECT_NE(scene_of("carpet", 1).world.solids[20].T_world_solid.translation(),
+              scene_of("carpet", 2).world.solids[20].T_world_solid.translation());
 }
 
 TEST(Presets, EveryKindOfThingStandsAlongTheWay) {
     std::set<ThingKind> kinds;
     for (const std::uint64_t seed : {1U, 2U}) {
-        for (const Primitive& p : scene_of("carpet", seed).world.primitives) kinds.insert(p.kind);
+        for (const Solid& solid : scene_of("carpet", seed).world.solids) kinds.insert(solid.kind);
     }
     for (const ThingKind kind : {ThingKind::Wall, ThingKind::Box, ThingKind::LowBox, ThingKind::Pole,
                                  ThingKind::Drum, ThingKind::Chair, ThingKind::Rail})
@@ -42,7 +42,7 @@ TEST(Presets, NothingStandsInTheWayOfAnyOfThem) {
     for (const Preset& p : all_presets()) {
         const Scene scene = scene_of(p.name);
         const double least_m = scene.options.near_boxes ? 0.2 : 0.499;
-        for (const Primitive& thing : scene.world.primitives) {
+        for (const Solid& thing : scene.world.solids) {
             if (thing.kind == ThingKind::Mover) continue;
             double nearest_m = 9.0;
             for (const Pose2& pose : scene.poses)
@@ -52,7 +52,7 @@ TEST(Presets, NothingStandsInTheWayOfAnyOfThem) {
     }
 }
 
-/// Share of the lower two thirds of the image that things of a kind cover.
+/// Share of the image from row `from_row` down that objects of a kind cover.
 double covered(const Scene& scene, int image, ThingKind kind, double from_row) {
     const View view = true_view(scene, image);
     int hits = 0;
@@ -60,8 +60,8 @@ double covered(const Scene& scene, int image, ThingKind kind, double from_row) {
     for (int v = static_cast<int>(from_row); v < view.camera.height_px; v += 16) {
         for (int u = 8; u < view.camera.width_px; u += 16) {
             const auto sight = look(scene.world, view, {u, v});
-            hits += sight && sight->primitive >= 0 &&
-                    scene.world.primitives[static_cast<std::size_t>(sight->primitive)].kind == kind;
+            hits += sight && sight->solid >= 0 &&
+                    scene.world.solids[static_cast<std::size_t>(sight->solid)].kind == kind;
             ++all;
         }
     }
@@ -106,8 +106,8 @@ TEST(Presets, LoopComesBackToItsStartAroundTheRailing) {
     EXPECT_NEAR(scene.poses.back().x_m, 0.0, 0.1);
     EXPECT_NEAR(scene.poses.back().y_m, 0.0, 0.02);
     EXPECT_NEAR(std::abs(scene.poses.back().yaw_rad), 0.0, 1e-3);
-    EXPECT_TRUE(std::any_of(scene.world.primitives.begin(), scene.world.primitives.end(),
-                            [](const Primitive& p) { return p.kind == ThingKind::Rail; }));
+    EXPECT_TRUE(std::any_of(scene.world.solids.begin(), scene.world.solids.end(),
+                            [](const Solid& solid) { return solid.kind == ThingKind::Rail; }));
 }
 
 }  // namespace

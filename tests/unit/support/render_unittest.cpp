@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "flownav/math/units.h"
 #include "flownav/testing/camera.h"
 #include "flownav/testing/scene.h"
 
@@ -14,8 +15,6 @@ namespace flownav::testing {
 namespace {
 
 using Eigen::Vector2d;
-
-constexpr double degree = M_PI / 180.0;
 
 double sample(const GreyImage& image, const Vector2d& at) {
     const int u = static_cast<int>(std::floor(at.x()));
@@ -33,10 +32,10 @@ Vector2d gradient_at(const GreyImage& image, const Vector2d& at) {
                           sample(image, at + down) - sample(image, at - down));
 }
 
-/// How two pictures agree after undoing the exact flow.
+/// Agreement of two images after compensation of the exact flow.
 struct Agreement {
     double rms_grey = 0.0;
-    Vector2d offset_px = Vector2d::Zero();  ///< mean displacement that remains (one Gauss-Newton step)
+    Vector2d offset_px = Vector2d::Zero();  ///< mean residual displacement (one Gauss-Newton step)
     int points = 0;
 };
 
@@ -49,7 +48,7 @@ Agreement agreement(const World& world, const View& from, const View& to, double
     for (int v = 4; v < first.height_px - 4; v += 2) {
         for (int u = 4; u < first.width_px - 4; u += 2) {
             const auto truth = exact_flow(world, from, to, Vector2d(u, v));
-            if (!truth || truth->occluded || truth->sight.primitive != ground_primitive) continue;
+            if (!truth || truth->occluded || truth->sight.solid != floor_index) continue;
             const Vector2d at = Vector2d(u, v) + flow_scale * truth->flow_px;
             if (at.x() < 2 || at.y() < 2 || at.x() > first.width_px - 4 || at.y() > first.height_px - 4)
                 continue;
@@ -76,8 +75,9 @@ TEST(Render, PicturesAgreeWithTheExactFlowOfADriveThroughATurn) {
     const Agreement exact = agreement(scene.world, small_view(first), small_view(scene.poses[33]));
     EXPECT_GT(exact.points, 2000);
     EXPECT_LT(exact.rms_grey, 4.0);
-    EXPECT_LT(exact.offset_px.norm(), 0.05);  // pixels beside an object's outline mix both
-    const World floor{scene.world.ground, {}};
+    EXPECT_LT(exact.offset_px.norm(), 0.05);  // pixels at an object's outline mix object and background
+    World floor = scene.world;
+    floor.solids.clear();
     EXPECT_LT(agreement(floor, small_view(first), small_view(scene.poses[33])).offset_px.norm(), 0.01);
     const Agreement wrong = agreement(scene.world, small_view(first), small_view(scene.poses[33]), 1.1);
     EXPECT_GT(wrong.rms_grey, 1.8 * exact.rms_grey);
@@ -85,8 +85,8 @@ TEST(Render, PicturesAgreeWithTheExactFlowOfADriveThroughATurn) {
 
 TEST(Render, PicturesAgreeWithTheExactFlowOfPitchRollAndHeight) {
     View to = small_view({0.01, 0.0, 0.0});
-    to.camera.mount.pitch_rad += 0.3 * degree;
-    to.camera.mount.roll_rad += 0.4 * degree;
+    to.camera.mount.pitch_rad += 0.3 * degree_rad;
+    to.camera.mount.roll_rad += 0.4 * degree_rad;
     to.camera.mount.height_m += 0.01;
     const Agreement exact = agreement(World{}, small_view(), to);
     EXPECT_LT(exact.rms_grey, 4.0);
@@ -153,7 +153,7 @@ TEST(Render, SameSeedGivesTheSameBytesWithAnyNumberOfThreads) {
 
 TEST(Render, NoiseHasTheWantedStrengthAndDiffersFromImageToImage) {
     World plain;
-    plain.ground.surface = Surface::Plain;
+    plain.floor.surface = Surface::Plain;
     ImageEffects effects;
     effects.noise_sigma = 3.0;
     const GreyImage clean = render(plain, small_view());
@@ -168,7 +168,7 @@ TEST(Render, NoiseHasTheWantedStrengthAndDiffersFromImageToImage) {
 
 TEST(Render, ExposureAndVignettingChangeTheGreys) {
     World plain;
-    plain.ground.surface = Surface::Plain;
+    plain.floor.surface = Surface::Plain;
     const int clean = render(plain, small_view()).at(160, 120);
     ImageEffects effects;
     effects.gain = 1.1;
@@ -181,19 +181,18 @@ TEST(Render, ExposureAndVignettingChangeTheGreys) {
 
 TEST(Render, ObjectsCoverThePixelsThatTheTruthNames) {
     World world;
-    world.ground = {Surface::Plain, 1.0, 0};
-    Primitive pole;
-    pole.shape = Shape::Cylinder;
+    world.floor = {Surface::Plain, 110.0, 0};
+    Upright pole;
+    pole.shape = UprightShape::Cylinder;
     pole.centre_m = {2.0, 0.2};
     pole.half_x_m = 0.05;
-    pole.texture = {Surface::Plain, 0.3, 0};
-    world.primitives = {pole};
+    world.solids = {solid_of(pole, {Surface::Plain, 33.0, 0})};
     const View view = small_view();
     const GreyImage image = render(world, view);
     const Vector2d on_pole = *project(view, {1.95, 0.2, 0.5});
     const int pole_grey = image.at(static_cast<int>(on_pole.x()), static_cast<int>(on_pole.y()));
     const int threshold = (pole_grey + image.at(300, 200)) / 2;
-    const auto shows_pole = [&](double u, double v) { return look(world, view, {u, v})->primitive == 0; };
+    const auto shows_pole = [&](double u, double v) { return look(world, view, {u, v})->solid == 0; };
     int disagreeing = 0;
     for (int v = 100; v < image.height_px; ++v) {
         for (int u = 0; u < image.width_px; ++u) {

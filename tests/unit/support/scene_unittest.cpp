@@ -7,13 +7,15 @@
 #include <set>
 #include <stdexcept>
 
+#include "flownav/math/units.h"
+
 namespace flownav::testing {
 namespace {
 
 TEST(Scene, SameSeedGivesTheSameSceneAndAnotherSeedAnother) {
     const auto centres = [](const Scene& scene) {
         std::vector<double> x;
-        for (const Primitive& p : scene.world.primitives) x.push_back(p.centre_m.x());
+        for (const Solid& solid : scene.world.solids) x.push_back(solid.T_world_solid.translation().x());
         return x;
     };
     EXPECT_EQ(centres(make_scene(SceneKind::SCurve, 5)), centres(make_scene(SceneKind::SCurve, 5)));
@@ -27,8 +29,8 @@ TEST(Scene, NothingStandsNearerThanHalfAMetreToThePath) {
             const Scene scene = make_scene(kind, seed);
             double nearest_m = 1e9;
             for (const Pose2& pose : scene.poses) {
-                for (const Primitive& p : scene.world.primitives)
-                    nearest_m = std::min(nearest_m, distance_m(p, {pose.x_m, pose.y_m}));
+                for (const Solid& solid : scene.world.solids)
+                    nearest_m = std::min(nearest_m, distance_m(solid, {pose.x_m, pose.y_m}));
             }
             EXPECT_GE(nearest_m, 0.499) << to_string(kind) << " seed " << seed;
         }
@@ -39,11 +41,11 @@ TEST(Scene, HasManyObjectsAndWallsOnAllSides) {
     for (const SceneKind kind :
          {SceneKind::Straight, SceneKind::SCurve, SceneKind::Turns, SceneKind::Corridor}) {
         std::set<int> objects;
-        for (const Primitive& p : make_scene(kind, 1).world.primitives) objects.insert(p.object);
+        for (const Solid& solid : make_scene(kind, 1).world.solids) objects.insert(solid.object);
         EXPECT_GE(objects.size(), 8U) << to_string(kind);
         EXPECT_TRUE(objects.count(wall_object)) << to_string(kind);
     }
-    EXPECT_TRUE(make_scene(SceneKind::Free, 1).world.primitives.empty());
+    EXPECT_TRUE(make_scene(SceneKind::Free, 1).world.solids.empty());
 }
 
 TEST(Scene, SpeedAndTurnRateAreThoseOfTheDrive) {
@@ -56,7 +58,7 @@ TEST(Scene, SpeedAndTurnRateAreThoseOfTheDrive) {
             EXPECT_GT(motion.forward_m * 25.0, kind == SceneKind::StopAndGo ? -1e-9 : 0.3999);
             fastest_radps = std::max(fastest_radps, std::abs(motion.omega_rad) * 25.0);
         }
-        EXPECT_LE(fastest_radps, 30.01 * M_PI / 180.0) << to_string(kind);
+        EXPECT_LE(fastest_radps, 30.01 * degree_rad) << to_string(kind);
         const bool turns = kind == SceneKind::Turns || kind == SceneKind::SCurve;
         EXPECT_EQ(fastest_radps > 0.5, turns) << to_string(kind);
     }
@@ -133,6 +135,13 @@ TEST(Scene, FieldKeepsItsPixelsAlive) {
     EXPECT_DOUBLE_EQ(field.timestamp_s, scene_start_s + 0.12);
     EXPECT_EQ(field.image.width_px, 64);
     EXPECT_GT(field.image.at(30, 40), 20);
+}
+
+TEST(Scene, FloorsHaveNames) {
+    EXPECT_EQ(floor_surface("stoneware"), Surface::Stoneware);
+    EXPECT_EQ(floor_surface("marbled"), Surface::Marbled);
+    EXPECT_EQ(floor_surface("tiles"), Surface::Tiles);
+    EXPECT_EQ(floor_surface("grass"), std::nullopt);
 }
 
 TEST(Scene, NumbersOutOfRangeAreRefused) {

@@ -8,7 +8,7 @@
 
 namespace flownav::testing {
 
-/// An empty folder of the running test, removed at its end.
+/// An empty folder for the running test, removed by the destructor.
 class TemporaryFolder {
   public:
     TemporaryFolder() {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "flownav/math/units.h"
 #include "flownav/testing/camera.h"
 
 namespace flownav::testing {
@@ -12,25 +13,24 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double degree = M_PI / 180.0;
-
 View standard_view(const Pose2& pose = {}) {
     return {standard_camera(), pose, 0.0};
 }
 
-/// A box whose near face stands 2 m ahead of the robot, 0.4 m wide and 1 m high.
+/// A box 0.4 m wide and 1 m high; its near face is 2 m ahead of the robot.
 World world_with_box(const Vector2d& velocity_mps = Vector2d::Zero()) {
     World world;
-    Primitive box;
+    Upright box;
     box.centre_m = {2.2, 0.0};
     box.half_x_m = box.half_y_m = 0.2;
-    box.object = 3;
-    box.velocity_mps = velocity_mps;
-    world.primitives = {box};
+    Solid solid = solid_of(box, {});
+    solid.object = 3;
+    set_velocity(solid, velocity_mps, 10.0);
+    world.solids = {solid};
     return world;
 }
 
-/// Pixel of the near face's middle.
+/// Pixel of the centre of the near face.
 Vector2d pixel_on_box() {
     return *project(standard_view(), {2.0, 0.0, 0.5});
 }
@@ -46,7 +46,7 @@ TEST(Sight, DepthOfTheGroundIsTheHeightOverTheRaysFall) {
         const double fall = std::cos(mount.pitch_rad) * mapper.ray(pixel).y() + std::sin(mount.pitch_rad);
         EXPECT_NEAR(sight->depth_m, mount.height_m / fall, 1e-12);
         EXPECT_NEAR(sight->point_m.z(), 0.0, 1e-12);
-        EXPECT_EQ(sight->primitive, ground_primitive);
+        EXPECT_EQ(sight->solid, floor_index);
     }
 }
 
@@ -60,8 +60,8 @@ TEST(Sight, NothingIsSeenAboveTheHorizonOfAnEmptyWorld) {
 TEST(Sight, PointsFallBackOnTheirPixelWithDistortionRollYawAndOffset) {
     View view = standard_view({0.3, 0.8, -1.9});
     view.camera.distortion = {-0.12, 0.03, 0.001, -0.002, 0.0};
-    view.camera.mount.roll_rad = 4 * degree;
-    view.camera.mount.yaw_rad = -6 * degree;
+    view.camera.mount.roll_rad = 4 * degree_rad;
+    view.camera.mount.yaw_rad = -6 * degree_rad;
     view.camera.mount.forward_m = 0.2;
     view.camera.mount.left_m = -0.1;
     for (const Vector2d& pixel : {Vector2d(20, 120), Vector2d(320, 300), Vector2d(630, 470)}) {
@@ -74,18 +74,18 @@ TEST(Sight, PointsFallBackOnTheirPixelWithDistortionRollYawAndOffset) {
 TEST(Sight, YawedCameraLooksToTheLeftAndRolledCameraTiltsToItsRight) {
     View view = standard_view();
     const Vector2d middle(319.5, 239.5);
-    view.camera.mount.yaw_rad = 5 * degree;
+    view.camera.mount.yaw_rad = 5 * degree_rad;
     EXPECT_NEAR(
         std::atan2(look(World{}, view, middle)->point_m.y(), look(World{}, view, middle)->point_m.x()),
-        5 * degree, 1e-9);
+        5 * degree_rad, 1e-9);
     view.camera.mount.yaw_rad = 0.0;
-    view.camera.mount.roll_rad = 5 * degree;
-    // A camera tilted to its right sees the ground on the right from lower rows: nearer at the same row.
+    view.camera.mount.roll_rad = 5 * degree_rad;
+    // A camera rolled to its right sees nearer ground at the right end of a row than at the left end.
     EXPECT_LT(look(World{}, view, {600, 240})->point_m.x(), look(World{}, view, {40, 240})->point_m.x());
 }
 
 TEST(Sight, CameraAheadOfTheAxisSeesTheWorldFromThere) {
-    View view = standard_view({0.0, 0.0, 90 * degree});
+    View view = standard_view({0.0, 0.0, 90 * degree_rad});
     const Vector3d before = look(World{}, view, {320, 300})->point_m;
     view.camera.mount.forward_m = 0.3;
     view.camera.mount.left_m = 0.1;
@@ -96,23 +96,23 @@ TEST(Sight, CameraAheadOfTheAxisSeesTheWorldFromThere) {
 TEST(Sight, NearestSurfaceIsSeenAndNamed) {
     const auto sight = look(world_with_box(), standard_view(), pixel_on_box());
     ASSERT_TRUE(sight);
-    EXPECT_EQ(sight->primitive, 0);
+    EXPECT_EQ(sight->solid, 0);
     EXPECT_EQ(sight->object, 3);
     EXPECT_LT((sight->point_m - Vector3d(2.0, 0.0, 0.5)).norm(), 1e-9);
 }
 
 TEST(Sight, CylinderIsSeenOnItsMantleAndOnItsTop) {
     World world;
-    Primitive drum;
-    drum.shape = Shape::Cylinder;
+    Upright drum;
+    drum.shape = UprightShape::Cylinder;
     drum.centre_m = {2.0, 0.0};
     drum.half_x_m = 0.3;
     drum.z_high_m = 0.5;
-    world.primitives = {drum};
+    world.solids = {solid_of(drum, {})};
     const View view = standard_view();
     EXPECT_NEAR(look(world, view, *project(view, {1.7, 0.0, 0.25}))->point_m.x(), 1.7, 1e-9);
     EXPECT_NEAR(look(world, view, *project(view, {2.1, 0.1, 0.5}))->point_m.z(), 0.5, 1e-9);
-    EXPECT_EQ(look(world, view, *project(view, {1.5, 0.5, 0.0}))->primitive, ground_primitive);
+    EXPECT_EQ(look(world, view, *project(view, {1.5, 0.5, 0.0}))->solid, floor_index);
 }
 
 TEST(ExactFlow, AgreesWithProjectingThePointItself) {
@@ -128,7 +128,8 @@ TEST(ExactFlow, AgreesWithProjectingThePointItself) {
 }
 
 TEST(ExactFlow, TurningLeftMovesThePictureToTheRight) {
-    const auto truth = exact_flow(World{}, standard_view(), standard_view({0, 0, 1 * degree}), {320, 240});
+    const auto truth =
+        exact_flow(World{}, standard_view(), standard_view({0, 0, 1 * degree_rad}), {320, 240});
     EXPECT_GT(truth->flow_px.x(), 5.0);
     EXPECT_NEAR(truth->flow_px.y(), 0.0, 0.2);
 }
@@ -145,15 +146,15 @@ TEST(ExactFlow, DrivingForwardMovesTheGroundDownAndOutwards) {
 TEST(ExactFlow, RaisingTheCamerasViewMovesThePictureDown) {
     const View from = standard_view();
     View to = standard_view();
-    to.camera.mount.pitch_rad -= 0.5 * degree;
+    to.camera.mount.pitch_rad -= 0.5 * degree_rad;
     EXPECT_GT(exact_flow(World{}, from, to, {320, 240})->flow_px.y(), 2.0);
-    EXPECT_NEAR(exact_motion(from, to).pitch_rad, 0.5 * degree, 1e-12);
+    EXPECT_NEAR(exact_motion(from, to).pitch_rad, 0.5 * degree_rad, 1e-12);
 }
 
 TEST(ExactFlow, TiltingTheCameraToItsRightTurnsThePictureToTheLeft) {
     const View from = standard_view();
     View to = standard_view();
-    to.camera.mount.roll_rad += 0.5 * degree;
+    to.camera.mount.roll_rad += 0.5 * degree_rad;
     EXPECT_LT(exact_flow(World{}, from, to, {600, 240})->flow_px.y(), -1.0);
     EXPECT_GT(exact_flow(World{}, from, to, {40, 240})->flow_px.y(), 1.0);
 }
@@ -185,7 +186,7 @@ TEST(ExactFlow, GroundThatABoxHidesLaterIsMarkedOccluded) {
     View to = standard_view();
     to.time_s = 0.3;
     const Vector2d beside = *project(from, {2.6, 0.45, 0.0});
-    EXPECT_EQ(exact_flow(world, from, to, beside)->sight.primitive, ground_primitive);
+    EXPECT_EQ(exact_flow(world, from, to, beside)->sight.solid, floor_index);
     EXPECT_TRUE(exact_flow(world, from, to, beside)->occluded);
     EXPECT_FALSE(exact_flow(world, from, from, beside)->occluded);
 }

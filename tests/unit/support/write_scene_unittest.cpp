@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "flownav/math/units.h"
 #include "temporary_folder.h"
 
 namespace flownav::testing {
@@ -80,7 +81,7 @@ TEST(WriteScene, CameraPoseLooksAheadAndDownFromAboveTheGround) {
     const auto image = std::dynamic_pointer_cast<mrpt::obs::CObservationImage>(read(folder / "s.rawlog")[2]);
     ASSERT_TRUE(image);
     EXPECT_NEAR(image->cameraPose.yaw(), -M_PI / 2, 1e-9);
-    EXPECT_NEAR(image->cameraPose.roll(), -(90.0 + 25.0) * M_PI / 180.0, 1e-9);
+    EXPECT_NEAR(image->cameraPose.roll(), -(90.0 + 25.0) * degree_rad, 1e-9);
 }
 
 TEST(WriteScene, CameraPosePutsPointsWhereTheRendererProjectsThem) {
@@ -138,7 +139,7 @@ TEST(WriteScene, TablesHaveTheAgreedColumns) {
         EXPECT_EQ(std::count(line.begin(), line.end(), ','), 11);
         ++rows;
     }
-    EXPECT_EQ(rows, scene.world.primitives.size());
+    EXPECT_EQ(rows, scene.world.solids.size());
     EXPECT_FALSE(std::filesystem::exists(folder / "s.movers.csv"));
 }
 

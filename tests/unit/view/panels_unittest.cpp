@@ -34,7 +34,7 @@ class Panels : public ::testing::Test {
         while (!model.frame().step.end_of_cycle) model.step_by(-1);
     }
 
-    /// A block of this label well inside the field.
+    /// Index of a block with this label well inside the field.
     std::size_t block_of(BlockLabel label) const {
         const auto& blocks = model.frame().step.blocks;
         for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -111,7 +111,7 @@ TEST_F(Panels, TheChartMarksTheFieldShownAndTheStatus) {
     const cv::Mat panel = strip_panel({model.timeline(), model.frame().index, std::nullopt}, {1400, 220});
     const int now = strip_column(model.timeline(), model.timeline().time_s(model.frame().index), 1400);
     EXPECT_GT(pixels_of(panel.col(now), cv::Scalar(30, 30, 30)), 150);
-    EXPECT_GT(pixels_of(panel, status_colour(FieldStatus::Ok)), 5000);
+    EXPECT_GT(pixels_of(panel, report::colour_of(FieldStatus::Ok)), 5000);
 }
 
 TEST_F(Panels, ABlockTellsEveryNumberOfItsRecord) {

@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "flownav/testing/random.h"
+#include "flownav/sim/random.h"
 #include "view_samples.h"
 
 namespace flownav::view {
@@ -13,20 +13,20 @@ namespace {
 using namespace flownav::testing;
 using Eigen::Vector2i;
 
-constexpr int edge_px = 16;  // of a block
-constexpr int low = -8;      // mu and nu go from low to high
+constexpr int edge_px = 16;  // edge of a block
+constexpr int low = -8;      // mu and nu range from low to high
 constexpr int high = 7;
 constexpr int width_px = 96;
 constexpr int height_px = 80;
 
-/// Grey of a pattern without any regularity, 40..199, at every integer point of the plane.
+/// Grey value of an irregular pattern, 40..199, at an integer point.
 int grey_at(int u, int v) {
     const auto x = static_cast<std::uint64_t>(u);
     const auto y = static_cast<std::uint64_t>(v);
-    return 40 + static_cast<int>(mix(x, y) % 160);
+    return 40 + static_cast<int>(sim::mix(x, y) % 160);
 }
 
-/// The pattern, moved to the right and down by `shift_px` and brighter by `brighter` grey levels.
+/// The pattern, moved right and down by `shift_px` and brightened by `brighter` grey levels.
 Field field_of(double timestamp_s, const Vector2i& shift_px = Vector2i::Zero(), int brighter = 0) {
     auto image = std::make_shared<GreyImage>(width_px, height_px);
     for (int v = 0; v < height_px; ++v) {
@@ -38,7 +38,7 @@ Field field_of(double timestamp_s, const Vector2i& shift_px = Vector2i::Zero(), 
     return {timestamp_s, image->view(), standard_camera(width_px, height_px), image};
 }
 
-/// A frame whose blocks have these corners and were predicted to move by `predicted_px`.
+/// A frame with blocks at these corners and predictions of `predicted_px`.
 Frame frame_of(const Vector2i& shift_px, const std::vector<Vector2i>& corners_px,
                const Eigen::Vector2d& predicted_px, int brighter = 0) {
     Frame frame;
@@ -60,7 +60,7 @@ flow::FlowParams constant_brightness() {
     return params;
 }
 
-/// Eq. (2), pixel by pixel; nothing where the displaced block leaves the newer image.
+/// Eq. (2), pixel by pixel; empty when the displaced block leaves the newer image.
 std::optional<int> sum_of_differences(const ImageView& reference, const ImageView& newer,
                                       const Vector2i& corner_px, const Vector2i& displacement_px) {
     const Vector2i at = corner_px + displacement_px;
@@ -76,13 +76,13 @@ std::optional<int> sum_of_differences(const ImageView& reference, const ImageVie
     return sum;
 }
 
-/// What the window says of an offset; nothing where it says `no_cost`.
+/// The window's cost of an offset; empty for `no_cost`.
 std::optional<int> cost_of(const SadWindow& window, const Vector2i& offset) {
     const auto cost = window.surface.at(static_cast<std::size_t>(16 * (offset.y() - low) + offset.x() - low));
     return cost == flow::no_cost ? std::nullopt : std::optional<int>(cost);
 }
 
-/// Every cost of the window against the sums of the two images.
+/// Compares every cost of the window with the sums over the two images.
 void expect_true_costs(const SadWindow& window, const Frame& frame, const Vector2i& corner_px,
                        const Vector2i& bias_px) {
     for (int nu = low; nu <= high; ++nu) {

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "flownav/cli/exit_status.h"
 #include "flownav/cli/number_text.h"
 #include "flownav/replay/replay.h"
 #include "view_samples.h"
@@ -45,7 +46,7 @@ TEST(ViewModel, TheTimelineIsThatOfEgomotionCsv) {
     replay::ReplayOptions replaying;
     replaying.input = corridor();
     replaying.output = test_folder() / "out";
-    ASSERT_EQ(replay::replay(replaying).status, replay::ExitStatus::Fine);
+    ASSERT_EQ(replay::replay(replaying).status, cli::ExitStatus::Fine);
     std::istringstream csv(bytes_of_file(replaying.output / "egomotion.csv"));
     std::string line;
     std::getline(csv, line);

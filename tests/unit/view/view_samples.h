@@ -20,7 +20,7 @@ inline const std::filesystem::path& corridor() {
     return file;
 }
 
-/// A drive with obstacles whose background works only when it is asked to.
+/// A drive with obstacles whose background reader works in work() only.
 inline view::ViewOptions view_options(const std::filesystem::path& file = corridor()) {
     view::ViewOptions options;
     options.input = file;
@@ -28,14 +28,14 @@ inline view::ViewOptions view_options(const std::filesystem::path& file = corrid
     return options;
 }
 
-/// Everything the background can find has been found.
+/// Runs the background reader to its end.
 inline void finish(view::ViewModel& model) {
     while (model.work(1000)) {
     }
     model.poll();
 }
 
-/// The records of flownav-replay: one after the other through one pipeline.
+/// Runs the file through one pipeline, as flownav-replay does, and returns the records.
 inline std::vector<pipeline::Step> straight_run(const std::filesystem::path& file,
                                                 const config::Config& config = {}) {
     io::RawlogReader reader(file);
@@ -55,7 +55,7 @@ inline std::string bytes_of_file(const std::filesystem::path& file) {
     return bytes.str();
 }
 
-/// The first part of the corridor, cut inside an object.
+/// Writes the first part of the corridor, cut inside an object.
 inline std::filesystem::path cut_corridor(double share) {
     const auto file = test_folder() / "cut.rawlog";
     const std::string all = bytes_of_file(corridor());

@@ -14,7 +14,7 @@ namespace {
 
 using namespace flownav::testing;
 
-/// Runs in a folder of its own: what is saved lands there.
+/// Runs in its own folder, where files are saved.
 class Session : public ::testing::Test {
   protected:
     Session() : home(std::filesystem::current_path()), model(view_options()) {

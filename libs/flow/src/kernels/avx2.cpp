@@ -1,5 +1,5 @@
-// vmpsadbw: in each half of a register, the sums of absolute differences of 4 pixels of the block with 8
-// places of the window, so 16 sums of 4 pixels in one instruction.
+// vmpsadbw computes, in each half of a register, the sums of absolute differences of 4 pixels of the block at
+// 8 places of the window: 16 sums of 4 pixels per instruction.
 #include <immintrin.h>
 
 #include "summary.h"
@@ -8,11 +8,12 @@
 namespace flownav::flow::kernels::avx2 {
 namespace {
 
-/// Pixels 0-3, 4-7, 8-11, 12-15 of the block, with the window from byte 0 or 4 of each half on.
+/// Immediates of vmpsadbw: pixels 0-3, 4-7, 8-11 or 12-15 of the block, and the window from byte 0 or 4 of
+/// each half.
 constexpr int quad_0 = 0b000'000, quad_1 = 0b101'101, quad_2 = 0b010'010, quad_3 = 0b111'111;
 
-/// Every row of the window as its 16-byte pieces from byte 0 and 8, and from 8 and 16 on: all 16 places of
-/// the first two quads of the block, and of the last two.
+/// Each row of the window as 16-byte pieces: those from bytes 0 and 8 hold all 16 places of the first two
+/// quads of the block, those from bytes 8 and 16 the places of the last two.
 struct alignas(64) Pieces {
     __m256i row[reached_px][2];
 };
@@ -21,7 +22,7 @@ __m128i load(const uint8_t* from) {
     return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
 }
 
-/// Of a row of 32 bytes, the last of which does not count.
+/// Cuts a row of 32 bytes, the last of which is not used, into pieces.
 void cut(const __m256i& row, __m256i (&pieces)[2]) {
     pieces[0] = _mm256_permute4x64_epi64(row, 0b10'01'01'00);
     pieces[1] = _mm256_permute4x64_epi64(row, 0b11'10'10'01);
@@ -31,12 +32,12 @@ void cut(const uint8_t* window, ptrdiff_t stride, Pieces& pieces) {
     constexpr int last = reached_px - 1;
     for (int v = 0; v < last; ++v)
         cut(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(window + v * stride)), pieces.row[v]);
-    // Behind the last row may be no memory of ours.
+    // The byte after the last row may lie outside the image's memory.
     const __m128i end = _mm_srli_si128(load(window + last * stride + 15), 1);
     cut(_mm256_set_m128i(end, load(window + last * stride)), pieces.row[last]);
 }
 
-/// Eight rows of offsets: as many sums as there is room for in the registers.
+/// Sums eight rows of offsets, as many as fit into the registers.
 void eight_rows(const uint8_t* block, ptrdiff_t stride, const __m256i (*pieces)[2], uint16_t* costs) {
     __m256i sums[8];
     for (__m256i& sum : sums) sum = _mm256_setzero_si256();

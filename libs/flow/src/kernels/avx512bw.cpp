@@ -1,5 +1,5 @@
-// vdbpsadbw: for each of eight groups of 8 bytes, the sums of absolute differences of 4 pixels of the block
-// with 4 places of the window, so 32 sums of 4 pixels in one instruction.
+// vdbpsadbw computes, for each of eight groups of 8 bytes, the sums of absolute differences of 4 pixels of
+// the block at 4 places of the window: 32 sums of 4 pixels per instruction.
 #include <immintrin.h>
 
 #include "summary.h"
@@ -8,26 +8,26 @@
 namespace flownav::flow::kernels::avx512bw {
 namespace {
 
-/// Of a 16-byte piece, the 8-byte groups from byte 0 and 4 on; or from 4 and 8 on.
+/// Immediates of vdbpsadbw: the 8-byte groups of a 16-byte piece from bytes 0 and 4, or from bytes 4 and 8.
 constexpr int from_first_quad = 0b10'01'01'00;
 constexpr int from_second_quad = 0b11'10'10'01;
 
-/// Every row of the window as its 16-byte pieces from byte 0, 8, 8 and 16 on: two quads of the block meet the
-/// lower half at all 16 places, the other two the upper half.
+/// Each row of the window as the 16-byte pieces from bytes 0, 8, 8 and 16. The lower half holds all 16 places
+/// of two quads of the block, the upper half those of the other two.
 struct alignas(64) Pieces {
     __m512i row[reached_px];
 };
 
 void cut(const uint8_t* window, ptrdiff_t stride, Pieces& pieces) {
     const __m512i order = _mm512_setr_epi64(0, 1, 1, 2, 1, 2, 2, 3);
-    constexpr __mmask32 legal = 0x7FFFFFFF;  // the byte after the 31st may lie behind the end of the memory
+    constexpr __mmask32 legal = 0x7FFFFFFF;  // the 32nd byte may lie outside the image's memory
     for (int v = 0; v < reached_px; ++v) {
         const __m256i bytes = _mm256_maskz_loadu_epi8(legal, window + v * stride);
         pieces.row[v] = _mm512_permutexvar_epi64(order, _mm512_castsi256_si512(bytes));
     }
 }
 
-/// 4 pixels of the block to meet the lower half, 4 others to meet the upper one.
+/// Broadcasts 4 pixels of the block to the lower half and 4 others to the upper half.
 __m512i quads(const uint8_t* lower, const uint8_t* upper) {
     return _mm512_inserti64x4(_mm512_broadcastd_epi32(_mm_loadu_si32(lower)),
                               _mm256_broadcastd_epi32(_mm_loadu_si32(upper)), 1);

@@ -1,4 +1,4 @@
-// uabd and uadalp: 16 absolute differences, added in pairs.
+// uabd computes 16 absolute differences, uadalp adds them in pairs.
 #include <arm_neon.h>
 
 #include "summary.h"
@@ -7,7 +7,7 @@
 namespace flownav::flow::kernels::neon {
 namespace {
 
-/// The sums over the rows of the block for 8 offsets side by side, each still in 8 parts of 8160 at the most.
+/// Sums over the rows of the block for 8 adjacent offsets, each in 8 parts of at most 8160.
 struct Parts {
     uint16x8_t of[8];
 };
@@ -18,7 +18,7 @@ void add(const uint8x16_t& pixels, const uint8x16_t& left, const uint8x16_t& rig
     parts.of[mu] = vpadalq_u8(parts.of[mu], vabdq_u8(pixels, place));
 }
 
-/// `end`: the bytes 16 and further on, of which 7 are needed.
+/// Adds one row of the block. `end`: the window's bytes from 16 on, of which 7 are used.
 void add_row(const uint8x16_t& pixels, const uint8x16_t& begin, const uint8x16_t& end, Parts& parts) {
     add<0>(pixels, begin, end, parts);
     add<1>(pixels, begin, end, parts);
@@ -50,7 +50,7 @@ void surface_of(const uint8_t* block, ptrdiff_t block_stride, const uint8_t* win
             const uint8_t* row = window + (v + nu) * window_stride;
             const uint8x16_t begin = vld1q_u8(row);
             const uint8x16_t middle = vld1q_u8(row + 8);
-            // The 32nd byte may be no memory of ours.
+            // The 32nd byte may lie outside the image's memory.
             const uint8x16_t end = vextq_u8(vld1q_u8(row + 15), none, 1);
             add_row(pixels, begin, end, left);
             add_row(pixels, middle, vextq_u8(end, none, 8), right);

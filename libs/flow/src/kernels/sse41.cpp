@@ -1,5 +1,4 @@
-// mpsadbw: the sums of absolute differences of 4 pixels of the block with 8 places of the window in one
-// instruction.
+// mpsadbw computes the sums of absolute differences of 4 pixels of the block at 8 places of the window.
 #include <smmintrin.h>
 
 #include "summary.h"
@@ -8,10 +7,10 @@
 namespace flownav::flow::kernels::sse41 {
 namespace {
 
-/// Pixels 0-3, 4-7, 8-11, 12-15 of the block, with the window from byte 0 or 4 on.
+/// Immediates of mpsadbw: pixels 0-3, 4-7, 8-11 or 12-15 of the block, and the window from byte 0 or 4.
 constexpr int quad_0 = 0b000, quad_1 = 0b101, quad_2 = 0b010, quad_3 = 0b111;
 
-/// Every row of the window as its 16-byte pieces from byte 0, 8 and 16 on.
+/// Each row of the window as the 16-byte pieces from bytes 0, 8 and 16.
 struct alignas(64) Pieces {
     __m128i row[reached_px][3];
 };
@@ -25,11 +24,11 @@ void cut(const uint8_t* window, ptrdiff_t stride, Pieces& pieces) {
         const uint8_t* row = window + v * stride;
         pieces.row[v][0] = load(row);
         pieces.row[v][1] = load(row + 8);
-        pieces.row[v][2] = _mm_srli_si128(load(row + 15), 1);  // the 32nd byte may be no memory of ours
+        pieces.row[v][2] = _mm_srli_si128(load(row + 15), 1);  // the 32nd byte may lie outside the image
     }
 }
 
-/// Eight rows of eight offsets: as many sums as there is room for in the registers.
+/// Sums eight rows of eight offsets, as many as fit into the registers.
 void eight_rows(const uint8_t* block, ptrdiff_t stride, const __m128i (*pieces)[3], int half,
                 uint16_t* costs) {
     __m128i sums[8];

@@ -1,6 +1,6 @@
 #pragma once
-// The text of a summary, compiled in every unit for its own instruction set: vectors of one row each, which
-// the compiler takes apart where registers are smaller. It has internal linkage: see units.h.
+// Summary of a cost surface, compiled in every unit for its own instruction set. Uses vectors of one row,
+// which the compiler splits for smaller registers. All functions have internal linkage, see units.h.
 #ifdef __SSE4_1__
 #include <smmintrin.h>
 #endif
@@ -37,7 +37,7 @@ inline uint16_t least_of(const Row& row) {
     return static_cast<uint16_t>(_mm_cvtsi128_si32(_mm_minpos_epu16(least)));
 }
 
-/// low + 256 high, of rows whose numbers are small.
+/// Returns the sum of low + 256 high; sums of two elements must fit into 15 bits.
 inline uint32_t total(const Row& low, const Row& high) {
     const auto ones = reinterpret_cast<__m128i>(lower(low) + upper(low));
     const auto hundreds = reinterpret_cast<__m128i>(lower(high) + upper(high));
@@ -55,7 +55,7 @@ inline uint16_t least_of(const Row& row) {
     return least;
 }
 
-/// low + 256 high.
+/// Returns the sum of low + 256 high.
 inline uint32_t total(const Row& low, const Row& high) {
     uint32_t sum = 0;
     for (int i = 0; i < side; ++i) sum += low[i] + 256U * high[i];
@@ -67,7 +67,7 @@ inline Summary summarised(const Surface& surface) {
     const Row* const cost = rows(surface.cost);
     const Row* const rank = rows(summary_tables.rank);
     Row smallest = cost[0];
-    Row low_bytes = cost[0] & 0xFF;  // their sums, and those of the high ones, fit into 16 bits
+    Row low_bytes = cost[0] & 0xFF;  // the sums of low and of high bytes fit into 16 bits
     Row high_bytes = cost[0] >> 8;
     for (int nu = 1; nu < side; ++nu) {
         keep_smaller(smallest, cost[nu]);

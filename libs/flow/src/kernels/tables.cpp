@@ -16,7 +16,7 @@ constexpr bool is_near(int a, int b) {
     return a - b < distinct && b - a < distinct;
 }
 
-/// Ties go to the smallest |(mu, nu)|^2, then to the first in raster order.
+/// Rank of an offset in the tie-break: by |(mu, nu)|^2, then in raster order.
 constexpr int rank_of(int index) {
     int before = 0;
     for (int other = 0; other < offsets; ++other) {

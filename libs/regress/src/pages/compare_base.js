@@ -1,31 +1,10 @@
-'use strict';
-// What all parts of compare.html use. The files become one script, in the order of pages.cmake. All data stand in
-// the page; nothing is fetched.
-
-const data = JSON.parse(document.getElementById('data').textContent);
-const byId = (id) => document.getElementById(id);
-document.documentElement.classList.add('js');
-document.documentElement.style.setProperty('--a', data.colours.a);
-document.documentElement.style.setProperty('--b', data.colours.b);
-document.documentElement.style.setProperty('--truth', data.colours.truth);
+// Shared by the parts of compare.html, which become one script in the order of pages.cmake.
 
 /** The changes of each rawlog, the worst first. */
 const changesOf = new Map(data.ids.map((id) => [id, []]));
 for (const change of data.changes) {
     if (change.severity === null) change.severity = Infinity;  // JSON knows none
     changesOf.get(change.id).push(change);
-}
-
-/** A new element with properties; children may be elements or text. */
-function element(name, properties, ...children) {
-    const made = Object.assign(document.createElement(name), properties);
-    made.append(...children);
-    return made;
-}
-
-/** A new table; head and rows are cells. */
-function table(className, head, rows) {
-    return element('table', {className}, element('thead', {}, element('tr', {}, ...head)), element('tbody', {}, ...rows));
 }
 
 const plural = (number, noun) => `${number} ${noun}${number === 1 ? '' : 's'}`;
@@ -40,7 +19,7 @@ function numberText(value) {
     return value.toFixed(Number.isInteger(value) ? 0 : size >= 100 ? 1 : size >= 1 ? 2 : size >= 0.01 ? 3 : 5);
 }
 
-const colourOf = {worse: [213, 94, 0], better: [0, 114, 178], '': [110, 110, 110]};
+const colourOf = {worse: channels(colour('vermilion')), better: channels(colour('blue')), '': [110, 110, 110]};
 
 /** How strong the colour of a change is, 0 to 1: pale within tolerance, full from 20 tolerances on. */
 function strength(severity) {
@@ -51,8 +30,8 @@ function strength(severity) {
 /** Gives an element the colour of a change. */
 function shade(box, verdict, severity) {
     const part = strength(severity);
-    const colour = colourOf[verdict].map((channel) => Math.round(255 + part * (channel - 255)));
-    box.style.background = `rgb(${colour})`;
+    const shaded = colourOf[verdict].map((channel) => Math.round(255 + part * (channel - 255)));
+    box.style.background = `rgb(${shaded})`;
     box.style.color = part > 0.6 ? '#fff' : '#1e1e1e';
     return box;
 }

@@ -1,6 +1,7 @@
 // One rawlog: ways, maps and curves of both runs.
 
-let plans = [], graphs = [], linking = false;
+let plans = [], graphs = [];
+const onTimesShown = linkTimes(() => graphs);
 
 function figure(title, caption, legend) {
     const canvas = element('canvas', {});
@@ -56,27 +57,12 @@ function addMaps(parent, drive) {
 
 // Curves
 
-const gap = (value) => value === false ? NaN : value;
-const tick = (value) => String(Number(value.toPrecision(8)));
-
-/** All charts show the times that `source` shows. */
-function link(source) {
-    if (linking) return;
-    linking = true;
-    const range = source.xAxisRange();
-    for (const graph of graphs) {
-        const [from, to] = graph.xAxisRange();
-        if (from !== range[0] || to !== range[1]) graph.updateOptions({dateWindow: range});
-    }
-    linking = false;
-}
-
 function optionsOf(chart, times) {
     return {
-        legend: 'never', axisLabelFontSize: 12, axisLineColor: '#555', gridLineColor: '#e4e4e4', yLabelWidth: 16, xLabelHeight: 16,
+        legend: 'never', axisLabelFontSize: 12, axisLineColor: axisColour, gridLineColor: gridColour, yLabelWidth: 16, xLabelHeight: 16,
         connectSeparatedPoints: true, dateWindow: times, yRangePad: 6, highlightCircleSize: 3,
         axes: {y: {axisLabelWidth: 50, axisLabelFormatter: tick, pixelsPerLabel: 18}, x: {axisLabelWidth: 44, axisLabelFormatter: tick}},
-        drawCallback: (graph, initial) => initial || link(graph),
+        drawCallback: onTimesShown,
     };
 }
 

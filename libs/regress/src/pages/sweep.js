@@ -1,10 +1,7 @@
-'use strict';
+// The script of sweep.html.
 (() => {
-const data = JSON.parse(document.getElementById('data').textContent);
-document.documentElement.classList.add('js');
-const byId = (id) => document.getElementById(id);
 const shades = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];  // viridis
-const line_colours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#000000', '#8c564b'];
+const line_colours = [...['blue', 'vermilion', 'green', 'purple', 'orange', 'sky-blue', 'black'].map(colour), '#8c564b'];
 const preferred = ['written.obstacle_points', 'errors.ground_truth.omega_cycle_rms_degps', 'status.ok'];
 const reach = {
     mean: {name: 'mean over the rawlogs', of: (values) => values.reduce((sum, v) => sum + v, 0) / values.length},
@@ -12,12 +9,6 @@ const reach = {
     sum: {name: 'sum over the rawlogs', of: (values) => values.reduce((sum, v) => sum + v, 0)},
 };
 const state = {figure: 0, over: 'mean', x: 0, y: data.axes.length > 1 ? 1 : -1, fixed: data.axes.map(() => 0)};
-
-function element(name, properties, ...children) {
-    const made = Object.assign(document.createElement(name), properties);
-    made.append(...children);
-    return made;
-}
 
 /** How bad a value is; null where nobody knows. */
 function badness(value, better) {
@@ -108,10 +99,10 @@ function note() {
 
 function cell(value, low, high, top) {
     if (value === null) return element('td', {className: 'none', textContent: '–'});
-    const colour = shade(high > low ? (value - low) / (high - low) : 0.5);
-    const light = colour[0] * 0.299 + colour[1] * 0.587 + colour[2] * 0.114 > 140;
+    const shown = shade(high > low ? (value - low) / (high - low) : 0.5);
+    const light = shown[0] * 0.299 + shown[1] * 0.587 + shown[2] * 0.114 > 140;
     const made = element('td', {textContent: text(value), className: value === top ? 'best' : ''});
-    made.style.background = `rgb(${colour})`;
+    made.style.background = `rgb(${shown})`;
     made.style.color = light ? '#000' : '#fff';
     return made;
 }
@@ -122,12 +113,12 @@ function drawHeat() {
     const values = down.values.map((_, j) => across.values.map((__, i) => valueAt(at(i, j))));
     const known = values.flat().filter((value) => value !== null);
     const low = Math.min(...known), high = Math.max(...known), top = best(values.flat());
-    const head = element('tr', {}, element('th', {className: 'key', textContent: down.key ? `${down.key} ↓  ${across.key} →` : across.key + ' →'}),
-        ...across.values.map((value) => element('th', {className: 'value', textContent: value})));
+    const head = [element('th', {className: 'key', textContent: down.key ? `${down.key} ↓  ${across.key} →` : across.key + ' →'}),
+        ...across.values.map((value) => element('th', {className: 'value', textContent: value}))];
     const rows = down.values.map((value, j) => element('tr', {}, element('th', {className: 'value', textContent: value}),
         ...values[j].map((one) => cell(one, low, high, top))));
     byId('heat').replaceChildren(element('h2', {textContent: data.figures[state.figure].name}),
-        element('div', {className: 'wide'}, element('table', {className: 'heat'}, element('thead', {}, head), element('tbody', {}, ...rows))),
+        element('div', {className: 'wide'}, table('heat', head, rows)),
         element('p', {className: 'help', textContent: note()}));
 }
 
@@ -151,7 +142,7 @@ function drawCurves() {
     new Dygraph(plot, rows, {
         labels: ['x', ...names.map((name, j) => `${j}: ${name}`)], colors: names.map((_, j) => line_colours[j % line_colours.length]),
         drawPoints: true, pointSize: 4, strokeWidth: 2, legend: 'never', xlabel: across.key, ylabel: data.figures[state.figure].name,
-        xRangePad: 12, yRangePad: 12, axisLabelFontSize: 12, gridLineColor: '#e4e4e4',
+        xRangePad: 12, yRangePad: 12, axisLabelFontSize: 12, gridLineColor: gridColour,
         axes: {x: {ticker, axisLabelWidth: 60}, y: {axisLabelWidth: 64, axisLabelFormatter: (value) => String(Number(value.toPrecision(6)))}},
     });
 }
@@ -165,9 +156,7 @@ function drawRanking() {
         element('td', {className: 'number', textContent: text(value)})));
     const head = [...data.axes.map((axis) => axis.key), data.figures[state.figure].name];
     byId('ranking').replaceChildren(element('h2', {textContent: better ? 'The best combinations' : 'The highest values'}),
-        element('div', {className: 'wide'}, element('table', {},
-            element('thead', {}, element('tr', {}, ...head.map((name) => element('th', {className: 'number', textContent: name})))),
-            element('tbody', {}, ...rows))));
+        element('div', {className: 'wide'}, table('', head.map((name) => element('th', {className: 'number', textContent: name})), rows)));
 }
 
 function draw() {

@@ -1,21 +1,9 @@
 // Charts over time.
 
 const charts = [];
-const gap = (value) => value === false ? NaN : value;
-let linking = false;
-
-/** All charts show the times that `source` shows. */
-function link(source) {
-    if (linking) return;
-    linking = true;
-    const range = source.xAxisRange();
-    for (const chart of charts) {
-        const [from, to] = chart.graph.xAxisRange();
-        if (from !== range[0] || to !== range[1]) chart.graph.updateOptions({dateWindow: range});
-    }
-    linking = false;
+const onTimesShown = linkTimes(() => charts.map((chart) => chart.graph), () => {
     if (now !== null) for (const chart of charts) chart.view(now);
-}
+});
 
 /** Lowest and highest value when they are too close to fill a chart, else null: as the data have it. */
 function leastRange(chart) {
@@ -59,7 +47,7 @@ function optionsOf(chart, labels) {
         labels: ['t', ...chart.series.map((s) => s.name)], series,
         labelsDiv: labels, legend: 'always', legendFormatter: legendOf(chart),
         xlabel: 'time since the first field (s)', ylabel: chart.unit ? `${chart.quantity} (${chart.unit})` : chart.quantity || ' ',
-        xLabelHeight: 16, yLabelWidth: 18, axisLabelFontSize: 12, axisLineColor: '#555', gridLineColor: '#e4e4e4',
+        xLabelHeight: 16, yLabelWidth: 18, axisLabelFontSize: 12, axisLineColor: axisColour, gridLineColor: gridColour,
         axes: {y: {axisLabelWidth: 52, includeZero: chart.fromZero, axisLabelFormatter: tick},
             x: {axisLabelWidth: 44, axisLabelFormatter: tick}},
         dateWindow: [0, duration],
@@ -67,7 +55,7 @@ function optionsOf(chart, labels) {
         stackedGraph: chart.stacked, stackedGraphNaNFill: 'none', fillAlpha: 0.75,
         highlightCallback: (event, t) => hover(t),
         clickCallback: (event, t) => click(t),
-        drawCallback: (graph, initial) => initial || link(graph),
+        drawCallback: onTimesShown,
     };
 }
 

@@ -1,30 +1,21 @@
 // The way and the map, seen from above.
 
-const niceStep = (rough) => {
-    const power = 10 ** Math.floor(Math.log10(rough));
-    return power * [1, 2, 5, 10].find((digit) => digit * power >= rough * 0.999);
-};
-
 function boundsOf(map) {
     const xs = data.tracks.flatMap((track) => track.x), ys = data.tracks.flatMap((track) => track.y);
     const known = (values) => values.filter((value) => value !== null);
     if (map) {
-        xs.push(map.x, map.x + map.columns * map.cell);
-        ys.push(map.y, map.y + map.rows * map.cell);
+        xs.push(...boundsOfMap(map).x);
+        ys.push(...boundsOfMap(map).y);
     }
-    const span = (values, pad) => {
-        const low = values.reduce((a, b) => Math.min(a, b)), high = values.reduce((a, b) => Math.max(a, b));
-        const more = Math.max(pad * (high - low), (0.5 - high + low) / 2);
-        return [low - more, high + more];
-    };
     const pad = map ? 0 : 0.06;
-    return {x: span(known(xs), pad), y: span(known(ys), pad)};
+    return {x: spanOf(known(xs), pad), y: spanOf(known(ys), pad)};
 }
 
 /** Draws tracks, and a map below them, with equal scales. */
-class Plan {
+class Plan extends PlanCanvas {
     constructor(canvas, {map = null, tracks, legend = null}) {
-        Object.assign(this, {canvas, map, tracks, legend});
+        super(canvas);
+        Object.assign(this, {map, tracks, legend});
         this.flow = data.tracks[data.tracks.length - 1];
         this.bounds = boundsOf(map);
         if (map) {
@@ -42,13 +33,13 @@ class Plan {
     layout() {
         const width = this.canvas.parentElement.clientWidth;
         const left = 58, right = 14, top = 10, bottom = 46, inner = width - left - right;
-        let [x0, x1] = this.bounds.x, [y0, y1] = this.bounds.y;
-        const height = Math.min(Math.max(inner * (y1 - y0) / (x1 - x0), 150), Math.min(520, 0.8 * inner));
-        const scale = Math.min(inner / (x1 - x0), height / (y1 - y0));
-        x0 = (x0 + x1 - inner / scale) / 2;
-        y0 = (y0 + y1 - height / scale) / 2;
-        return {width, height: height + top + bottom, left, top, inner, tall: height, scale, x0, y0,
-            u: (x) => left + (x - x0) * scale, v: (y) => top + height - (y - y0) * scale};
+        const {x: [x0, x1], y: [y0, y1]} = this.bounds;
+        const tall = Math.min(Math.max(inner * (y1 - y0) / (x1 - x0), 150), Math.min(520, 0.8 * inner));
+        return this.place(this.bounds, {width, height: tall + top + bottom, left, top, inner, tall});
+    }
+
+    gridPx(at) {
+        return Math.max(35, Math.min(70, at.tall / 3));
     }
 
     timeAt(event) {
@@ -63,92 +54,31 @@ class Plan {
     }
 
     draw(t) {
-        const at = this.layout(), ratio = devicePixelRatio || 1;
-        this.canvas.style.height = at.height + 'px';
-        this.canvas.width = Math.round(at.width * ratio);
-        this.canvas.height = Math.round(at.height * ratio);
-        const pen = this.canvas.getContext('2d');
-        pen.scale(ratio, ratio);
-        pen.fillStyle = '#fff';
-        pen.fillRect(0, 0, at.width, at.height);
-        pen.font = '12px system-ui, "DejaVu Sans", sans-serif';
-        pen.save();
-        pen.beginPath();
-        pen.rect(at.left, at.top, at.inner, at.tall);
-        pen.clip();
-        this.drawGround(pen, at);
-        this.drawGrid(pen, at);
+        const at = this.layout(), pen = this.begin(at);
+        if (this.map) this.drawMap(pen, at);
+        this.drawGrid(pen, at, this.map ? 'rgba(255,255,255,.25)' : gridColour);
         for (const track of this.tracks) this.drawTrack(pen, at, track);
         this.drawEnds(pen, at);
         if (t !== null) this.drawMoment(pen, at, t);
         pen.restore();
-        this.drawAxes(pen, at);
+        pen.strokeStyle = axisColour;
+        pen.lineWidth = 1;
+        pen.strokeRect(at.left, at.top, at.inner, at.tall);
+        this.drawLabels(pen, at);
         if (this.map) this.drawScale(pen, at);
     }
 
-    drawGround(pen, at) {
-        if (!this.map) return;
-        pen.fillStyle = 'rgb(128,128,128)';
-        pen.fillRect(at.left, at.top, at.inner, at.tall);
-        if (!this.image.complete) return;
+    drawMap(pen, at) {
         pen.imageSmoothingEnabled = this.map.cell * at.scale < 1;
         pen.imageSmoothingQuality = 'high';
-        const {x, y, columns, rows, cell} = this.map;
-        pen.drawImage(this.image, at.u(x), at.v(y + rows * cell), columns * cell * at.scale, rows * cell * at.scale);
-    }
-
-    ticks(low, length, step) {
-        const result = [];
-        for (let k = Math.ceil(low / step - 1e-9); k * step <= low + length + 1e-9 * step; ++k) result.push(k * step);
-        return result;
-    }
-
-    lines(at) {
-        const step = niceStep(Math.max(35, Math.min(70, at.tall / 3)) / at.scale);
-        return {step, x: this.ticks(at.x0, at.inner / at.scale, step), y: this.ticks(at.y0, at.tall / at.scale, step)};
-    }
-
-    drawGrid(pen, at) {
-        const {x, y} = this.lines(at);
-        pen.strokeStyle = this.map ? 'rgba(255,255,255,.25)' : '#e4e4e4';
-        pen.lineWidth = 1;
-        pen.beginPath();
-        for (const value of x) { pen.moveTo(at.u(value), at.top); pen.lineTo(at.u(value), at.top + at.tall); }
-        for (const value of y) { pen.moveTo(at.left, at.v(value)); pen.lineTo(at.left + at.inner, at.v(value)); }
-        pen.stroke();
-    }
-
-    drawAxes(pen, at) {
-        const {step, x, y} = this.lines(at), digits = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
-        const bottom = at.top + at.tall, label = (value) => (value + 0 === 0 ? 0 : value).toFixed(digits);
-        pen.strokeStyle = '#555';
-        pen.strokeRect(at.left, at.top, at.inner, at.tall);
-        pen.fillStyle = '#222';
-        pen.textAlign = 'center';
-        for (const value of x) pen.fillText(label(value), at.u(value), bottom + 16);
-        pen.fillText('x, ahead of the start (m)', at.left + at.inner / 2, bottom + 36);
-        pen.textAlign = 'right';
-        for (const value of y) pen.fillText(label(value), at.left - 7, at.v(value) + 4);
-        pen.textAlign = 'center';
-        pen.translate(13, at.top + at.tall / 2);
-        pen.rotate(-Math.PI / 2);
-        pen.fillText(at.tall < 170 ? 'y, left (m)' : 'y, left of the start (m)', 0, 0);
-        pen.setTransform(devicePixelRatio || 1, 0, 0, devicePixelRatio || 1, 0, 0);
+        this.drawImage(pen, at, this.image, this.map, 'rgb(128,128,128)');
     }
 
     drawTrack(pen, at, track) {
         pen.strokeStyle = track.colour;
         pen.lineWidth = track.width;
-        pen.lineJoin = 'round';
         pen.setLineDash(track.dashed ? [7, 4] : []);
-        pen.beginPath();
-        let drawing = false;
-        track.x.forEach((x, i) => {
-            if (x === null) { drawing = false; return; }
-            if (drawing) pen.lineTo(at.u(x), at.v(track.y[i])); else pen.moveTo(at.u(x), at.v(track.y[i]));
-            drawing = true;
-        });
-        pen.stroke();
+        this.drawLine(pen, at, track.x, track.y);
         pen.setLineDash([]);
     }
 
@@ -158,9 +88,7 @@ class Plan {
         pen.lineWidth = 2;
         pen.fillStyle = '#fff';
         pen.strokeStyle = '#111';
-        pen.beginPath();
-        pen.arc(u0, v0, 5, 0, 2 * Math.PI);
-        pen.rect(u1 - 5, v1 - 5, 10, 10);
+        this.markEnds(pen, at, this.flow.x, this.flow.y, 5);
         pen.fill();
         pen.stroke();
         if (this.map) return;
@@ -174,7 +102,7 @@ class Plan {
     drawMoment(pen, at, t) {
         const i = nearest(this.flow.t, t), u = at.u(this.flow.x[i]), v = at.v(this.flow.y[i]);
         if (this.map && data.pictures.length) {
-            pen.fillStyle = '#e69f00';
+            pen.fillStyle = colour('orange');
             pen.strokeStyle = '#111';
             pen.lineWidth = 0.7;
             for (const [x, y] of data.pictures[nearestPicture(t)].points) {
@@ -190,7 +118,7 @@ class Plan {
         pen.beginPath();
         for (const [a, b] of [[14, 0], [-8, 8], [-4, 0], [-8, -8]]) pen.lineTo(a, b);
         pen.closePath();
-        pen.fillStyle = '#0072b2';
+        pen.fillStyle = colour('blue');
         pen.strokeStyle = '#fff';
         pen.lineWidth = 2;
         pen.stroke();
@@ -198,18 +126,6 @@ class Plan {
         pen.restore();
         this.canvas.dataset.robot = `${u.toFixed(1)},${v.toFixed(1)}`;
         if (this.legend) this.legend(t);
-    }
-
-    drawScale(pen, at) {
-        const metres = niceStep(at.inner / at.scale / 6), length = metres * at.scale;
-        const label = metres + ' m', width = pen.measureText(label).width;
-        const left = at.left + at.inner - length - width - 24, top = at.top + at.tall - 28;
-        pen.fillStyle = 'rgba(255,255,255,.85)';
-        pen.fillRect(left, top, length + width + 18, 22);
-        pen.fillStyle = '#111';
-        pen.fillRect(left + 6, top + 8, length, 6);
-        pen.textAlign = 'left';
-        pen.fillText(label, left + length + 12, top + 15);
     }
 }
 

@@ -1,33 +1,33 @@
 // The time per stage.
 
 const stages = [
-    ['decode', '#999999', 'reading the recording, decoding images'],
-    ['match', '#0072b2', 'finding the blocks of the reference in the new field'],
-    ['motion', '#009e73', 'turn rate, pitch rate and travel, and what is an obstacle'],
-    ['map', '#e69f00', 'entering points and floor into the map'],
-    ['write', '#cc79a7', 'writing the files, and drawing the pictures of this page'],
+    ['decode', colour('grey'), 'reading the recording, decoding images'],
+    ['match', colour('blue'), 'finding the blocks of the reference in the new field'],
+    ['motion', colour('green'), 'turn rate, pitch rate and travel, and what is an obstacle'],
+    ['map', colour('orange'), 'entering points and floor into the map'],
+    ['write', colour('purple'), 'writing the files, and drawing the pictures of this page'],
 ];
 
 function showTiming(timing) {
     const place = byId('times');
-    const series = stages.map(([name, colour]) => ({
-        name, colour, dashed: false, width: 1, connected: false, values: timing.per_field[name + '_ms']}));
+    const series = stages.map(([name, shade]) => ({
+        name, colour: shade, dashed: false, width: 1, connected: false, values: timing.per_field[name + '_ms']}));
     if (!byId('chart-timing')) {
         addChart({id: 'timing', title: 'Time per field', quantity: 'time', unit: 'ms', stacked: true, fromZero: true, leastSpan: 0,
             note: 'Stacked; means over short stretches of the drive.', t: timing.per_field.t_s, series}, place);
     }
     const fields = timing.fields_per_s * timing.total_s;
     const cells = (...texts) => texts.map((content, i) => element('td', {textContent: content, className: i % 3 ? 'number' : ''}));
-    const body = element('tbody', {}, ...stages.map(([name, , meaning]) => {
+    const rows = stages.map(([name, , meaning]) => {
         const seconds = timing.stages[name + '_s'];
         return element('tr', {}, ...cells(name, text(seconds), text(1000 * seconds / fields), meaning));
-    }));
-    const head = element('thead', {}, element('tr', {}, ...['stage', 's', 'ms a field', 'meaning'].map((name, i) =>
-        element('th', {textContent: name, className: i % 3 ? 'number' : ''}))));
+    });
+    const head = ['stage', 's', 'ms a field', 'meaning'].map((name, i) =>
+        element('th', {textContent: name, className: i % 3 ? 'number' : ''}));
     const total = `${text(timing.total_s)} s in all, ${text(timing.fields_per_s)} fields a second, ` +
         `${timing.threads} thread${timing.threads > 1 ? 's' : ''}, matching kernel ${timing.kernel}.`;
     place.querySelectorAll('table, p').forEach((old) => old.remove());
-    place.append(element('table', {}, head, body), element('p', {textContent: total}));
+    place.append(table('', head, rows), element('p', {textContent: total}));
 }
 
 async function takeSummary(file) {

@@ -4,14 +4,14 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "flownav/flow/kernel.h"
 
 namespace flownav::cli {
 
-/// What a program says about its arguments: its own help text, its version and kernel, and errors that point
-/// to
-/// --help. Takes the place of TCLAP's output in `command`, which may be parsed while this lives.
+/// Prints a program's help text, its version and kernel, and errors that point to --help. Replaces TCLAP's
+/// output in `command`, which may be parsed while this lives.
 class CommandOutput : public TCLAP::StdOutput {
   public:
     CommandOutput(TCLAP::CmdLine& command, std::string name, std::string help, std::ostream& out,
@@ -36,7 +36,7 @@ class CommandOutput : public TCLAP::StdOutput {
         fail(exception.error() + " (" + exception.argId() + ")");
     }
 
-    /// The same for what TCLAP does not check.
+    /// Reports an error in the arguments that TCLAP does not check.
     void fail(const std::string& message) {
         failed_ = true;
         error_ << name_ << ": " << message << "\nTry " << name_ << " --help\n";
@@ -52,5 +52,14 @@ class CommandOutput : public TCLAP::StdOutput {
     std::ostream& error_;
     bool failed_ = false;
 };
+
+/// Parses the arguments of a program; the first is its name. False when they are wrong, or when --help or
+/// --version answered them; CommandOutput::failed() tells which.
+inline bool parse_arguments(TCLAP::CmdLine& command, const std::vector<std::string>& arguments) {
+    std::vector<const char*> argv;
+    argv.reserve(arguments.size());
+    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+    return command.parse(static_cast<int>(argv.size()), argv.data());
+}
 
 }  // namespace flownav::cli

@@ -1,18 +1,19 @@
 #pragma once
 #include <cstdint>
-#include <cstdio>
+
+#include "flownav/cli/status_line.h"
 
 namespace flownav::cli {
 
-/// Tells people how far long work is: a bar that is redrawn on a terminal, else a line every 10 percent.
+/// Shows the share of long work that is done: a bar on a terminal, else a line every 10 percent.
 class Progress {
   public:
     enum class Style { Silent, Lines, Bar };
 
-    /// A bar when `stream` is a terminal, else lines.
-    static Style style_for(std::FILE* stream);
+    /// A bar when `out` is a terminal, else lines.
+    static Style style_for(const std::ostream& out);
 
-    Progress(std::FILE* stream, Style style) : stream_(stream), style_(style) {}
+    Progress(std::ostream& out, Style style) : line_(out, style == Style::Bar), style_(style) {}
 
     /// `share` of the work done, 0..1, and the fields so far.
     void update(double share, std::uint64_t fields);
@@ -23,7 +24,7 @@ class Progress {
   private:
     void draw_bar(int percent, std::uint64_t fields);
 
-    std::FILE* stream_;
+    StatusLine line_;
     Style style_;
     int last_percent_ = 0;
 };

@@ -1,70 +1,95 @@
 #pragma once
-#include <array>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "flownav/core/lens.h"
 #include "flownav/core/navigation_params.h"
 #include "flownav/mapping/params.h"
+#include "flownav/nav/guard_params.h"
+#include "flownav/nav/recovery_params.h"
 #include "flownav/pipeline/params.h"
 
 namespace flownav::config {
 
 enum class Interlaced { None, TopFirst, BottomFirst };
 
-/// What the ini says about the camera. An empty optional ("recorded" in the ini) means: as the recording has
-/// it.
+/// The section [camera]. An empty optional ("recorded" in the ini) leaves the value of the recording.
 struct CameraConfig {
     std::string camera_label = "CAMERA1";
     Interlaced interlaced = Interlaced::None;
     std::optional<double> height_m, pitch_deg, roll_deg, yaw_deg, forward_m, left_m;
     std::optional<double> fx_px, fy_px, cx_px, cy_px;  ///< of the image as recorded (a whole frame if woven)
-    std::optional<std::array<double, 5>> distortion;   ///< k1 k2 p1 p2 k3
+    std::optional<LensCoefficients> distortion;        ///< of `lens`
+    std::string lens = brown_conrady().name();         ///< name of a registered lens
 };
 
-/// Everything the ini can set.
+/// All settings of the ini.
 struct Config {
     CameraConfig camera;
     pipeline::Params pipeline;
     mapping::MapParams map;
     NavigationParams navigation;
+    nav::RecoveryParams recovery;  ///< section [navigation]
+    nav::GuardParams guard;
 };
 
-/// A value, key or file that cannot be used; what() says which, why, and what is allowed.
+/// A value, key or file that cannot be used; what() names it, the reason, and the allowed values.
 struct ConfigError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// One line of documentation of one key, for --doc and --dump.
+/// The documentation of one key.
 struct ConfigKey {
     std::string section, name, default_value, unit, range, help;
+    bool everyday = false;                   ///< false: an advanced key
+    std::vector<std::string> earlier_names;  ///< "section.key"; still read, with a warning
+
+    std::string full_name() const { return section + "." + name; }
 };
 
-/// Every key, in the order of the ini.
+enum class KeySet { All, Everyday };
+
+/// All keys, the keys of a section side by side.
 std::vector<ConfigKey> config_keys();
 
-/// Sets one key ("section.key") from its text. Throws ConfigError: unknown key (names the nearest known one),
-/// unparsable, not finite, or out of range (names key, value and range).
+/// A key ("section.key") and its text.
+struct Setting {
+    std::string key, value;
+};
+
+/// The same setting with the present names instead of earlier ones of key and value. Unknown keys stay as
+/// they are.
+Setting present_setting(Setting setting);
+
+/// Sets one key ("section.key") from its text. An earlier name is read as well, with one warning a process on
+/// stderr. Throws ConfigError: unknown key (names the nearest known one), unparsable, not finite, or out of
+/// range (names key, value and range).
 void set_config_value(Config& config, const std::string& key, const std::string& value);
+
+/// The text of one key ("section.key"). Throws ConfigError: unknown key.
+std::string config_value(const Config& config, const std::string& key);
 
 /// Reads an ini (MRPT conventions: sections, comments with // ; #, @define) on top of `config`.
 /// Throws ConfigError naming file, key, value and range.
 void load_config_file(Config& config, const std::string& path);
 
-/// Throws ConfigError, which names the keys, when the local map would have more cells than can be worked on.
+/// Throws ConfigError, which names the keys, when the local map would have more than 2000 cells across.
 void check_map(const Config& config);
 
-/// Throws ConfigError, which names the keys, when the robot has no room in the local map.
+/// Throws ConfigError, which names the keys, when the robot has no room in the local map, or the pauses of
+/// the guard contradict each other.
 void check_navigation(const Config& config);
 
-/// The ini text of a configuration, each key with its documentation.
-std::string dump_config(const Config& config);
+/// The ini text of a configuration, each key with its documentation: the everyday keys by section, then,
+/// under a heading, the advanced keys by section.
+std::string dump_config(const Config& config, KeySet keys = KeySet::All);
 
-/// The ini text of the keys whose values are not the defaults; empty when all are.
+/// The ini text of the keys whose values are not the defaults; empty when all values are defaults.
 std::string dump_changes(const Config& config);
 
-/// Every key as one table in markdown.
-std::string document_config();
+/// The keys as one table in markdown, the everyday keys first.
+std::string document_config(KeySet keys = KeySet::All);
 
 }  // namespace flownav::config

@@ -8,7 +8,7 @@
 
 namespace flownav::config {
 
-/// Why a text is no value of its key, as the second half of a sentence: "is not a number".
+/// A text that is not a value of its key; what() completes the sentence: "is not a number".
 struct BadValue : std::invalid_argument {
     using std::invalid_argument::invalid_argument;
 };
@@ -21,7 +21,7 @@ std::string format_number(T number) {
     return {text.data(), end};
 }
 
-/// A number with nothing before or after it. Throws BadValue: anything else, NaN and infinity included.
+/// Reads a number that fills the whole text. Throws BadValue: any other text, NaN and infinity included.
 template <class T>
 T parse_number(const std::string& text) {
     T number{};
@@ -36,7 +36,7 @@ T parse_number(const std::string& text) {
     return number;
 }
 
-/// Both ends are allowed values.
+/// An interval of allowed values, both ends included.
 template <class T>
 struct Range {
     T lowest;

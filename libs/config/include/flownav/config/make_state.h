@@ -4,10 +4,11 @@
 
 namespace flownav::config {
 
-/// The matcher that `flow.matcher` names.
+/// Makes the matcher that `flow.matcher` names: a registered one, or "lk" of OpenCV. Throws
+/// std::invalid_argument, which lists the known names.
 flow::Matcher make_matcher(const pipeline::Params& params);
 
-/// The pipeline of a configuration, with that matcher.
+/// Makes the pipeline of a configuration with that matcher. Throws as make_matcher() does.
 pipeline::State make_state(const Config& config);
 
 }  // namespace flownav::config

@@ -17,12 +17,12 @@ struct EgoMotion {
     int ground_window = 0;          ///< vectors that support T
 };
 
-/// T_reference_robot: where the robot is after a motion.
+/// T_reference_robot: the robot's pose at the newer field, in its frame at the reference field.
 inline Pose2 pose_after(const EgoMotion& motion) {
     return along_arc(motion.omega_rad, motion.forward_m, motion.chord_rad);
 }
 
-/// The same half-way, where vectors are evaluated.
+/// T_reference_mid: the robot's pose half-way through the motion, where vectors are evaluated.
 inline Pose2 pose_half_way(const EgoMotion& motion) {
     return along_arc(0.5 * motion.omega_rad, 0.5 * motion.forward_m, motion.chord_rad);
 }

@@ -6,8 +6,7 @@
 
 namespace flownav {
 
-/// One camera field: pixels, the time they were taken, and the camera that took them. Copying a field copies
-/// no pixel; `owner` keeps them alive.
+/// One camera field: pixels, time and camera. Copying a field copies no pixels; `owner` keeps them alive.
 struct Field {
     double timestamp_s = 0.0;  ///< seconds since the epoch
     ImageView image;

@@ -4,7 +4,7 @@
 
 namespace flownav {
 
-/// A view of an 8-bit grey image that somebody else owns; row v starts at data + v * stride_bytes.
+/// Non-owning view of an 8-bit grey image; row v starts at data + v * stride_bytes.
 struct ImageView {
     const std::uint8_t* data = nullptr;
     int width_px = 0;

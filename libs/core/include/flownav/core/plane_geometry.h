@@ -12,18 +12,18 @@ inline double cross(const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
     return p.x() * q.y() - p.y() * q.x();
 }
 
-/// Displacement of the CAMERA on the ground, (forward, leftward) in metres, of a robot that moves `forward_m`
-/// and turns by `omega_rad` while the camera sits off its axis; seen from half-way through the turn.
-/// `chord_rad`: direction of the robot's chord there, see EgoMotion.
+/// Displacement of the CAMERA on the ground, (forward, leftward) in metres, in the robot's frame half-way
+/// through a motion of `forward_m` and `omega_rad`. The camera may sit off the axis. `chord_rad`: direction
+/// of the robot's chord in that frame, see EgoMotion.
 inline Eigen::Vector2d camera_travel(const CameraMount& mount, double forward_m, double omega_rad,
                                      double chord_rad = 0.0) {
     return {forward_m * std::cos(chord_rad) - omega_rad * mount.left_m,
             forward_m * std::sin(chord_rad) + omega_rad * mount.forward_m};
 }
 
-/// The fields of Eq. (3) on the normalised plane of a level camera of pitch rho, a = cos rho, b = sin rho, H
-/// metres above the ground. Flow is f = (S/Z) e + omega h + pitch p. Everything is evaluated at `at` = (x,
-/// y).
+/// The fields e, h and p of Eq. (3) at a point `at` = (x, y) of the normalised plane. The level camera has
+/// the pitch rho, a = cos rho, b = sin rho, and stands H metres above the ground. Flow is f = (S/Z) e + omega
+/// h + pitch p.
 struct PlaneGeometry {
     double a = 1.0;
     double b = 0.0;
@@ -33,16 +33,16 @@ struct PlaneGeometry {
     explicit PlaneGeometry(const CameraMount& mount)
         : a(std::cos(mount.pitch_rad)), b(std::sin(mount.pitch_rad)), per_height(1.0 / mount.height_m) {}
 
-    /// a y + b: H over the ground's depth; 0 on the horizon, negative above it.
+    /// a y + b, the ratio of H to the ground's depth: 0 on the horizon, negative above it.
     double below_horizon(const Eigen::Vector2d& at) const { return a * at.y() + b; }
 
-    /// Eq. (8), as 1/Z of the ground: 0 on the horizon and above.
+    /// Eq. (8) as 1/Z of the ground, in 1/m: 0 on the horizon and above.
     double ground_inverse_depth(const Eigen::Vector2d& at) const {
         return std::max(0.0, below_horizon(at)) * per_height;
     }
 
-    /// Flow of a camera that moves by `travel` = (forward, leftward), times the depth: the field e of Eq. (3)
-    /// for pure forward travel, plus the part of the sideways swing of a camera off the axis.
+    /// Flow times depth of a camera that moves by `travel` = (forward, leftward). For pure forward travel
+    /// this is e of Eq. (3); the leftward part is the swing of a camera off the axis.
     Eigen::Vector2d e(const Eigen::Vector2d& at, const Eigen::Vector2d& travel = {1.0, 0.0}) const {
         return {travel.x() * a * at.x() + travel.y(), travel.x() * below_horizon(at)};
     }
@@ -61,19 +61,19 @@ inline double deviation_of_dot(const Eigen::Vector2d& e, const Eigen::Vector2d& 
     return e.cwiseProduct(sigma).norm();
 }
 
-/// The same of cross(e, d).
+/// Standard deviation of cross(e, d) when the components x and y of d have the deviations `sigma`.
 inline double deviation_of_cross(const Eigen::Vector2d& e, const Eigen::Vector2d& sigma) {
     return Eigen::Vector2d(e.y() * sigma.x(), e.x() * sigma.y()).norm();
 }
 
-/// One pixel on the normalised plane, in x and y: as the `sigma` above the measure in which tau and lambda
-/// are meant.
+/// Size of one pixel on the normalised plane, in x and y. As `sigma` of the deviations above it gives one
+/// pixel along or across e, the unit of tau and lambda.
 inline Eigen::Vector2d one_pixel(const CameraModel& camera) {
     return {1.0 / camera.fx_px, 1.0 / camera.fy_px};
 }
 
-/// The part of the image where the ground right before the robot is expected to be free, so that its flow
-/// gives the speed: the lower third, less a sixth on either side.
+/// True in the ground window, where the floor right in front of the robot is expected to be free and its flow
+/// gives the speed: the lower third of the image without a sixth of the width on either side.
 inline bool in_ground_window(const Eigen::Vector2d& at_px, const CameraModel& camera) {
     return at_px.y() > camera.height_px * 2.0 / 3.0 && at_px.x() > camera.width_px / 6.0 &&
            at_px.x() < camera.width_px * 5.0 / 6.0;

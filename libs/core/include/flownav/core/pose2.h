@@ -36,8 +36,8 @@ inline Eigen::Vector2d transform(const Pose2& T_a_b, const Eigen::Vector2d& p_b)
     return {T_a_b.x_m + c * p_b.x() - s * p_b.y(), T_a_b.y_m + s * p_b.x() + c * p_b.y()};
 }
 
-/// The pose reached from the identity along an arc that turns by `turn_rad` and whose CHORD is `chord_m`
-/// long: on a circle the chord points along half the turn, otherwise `chord_rad` to the left of it.
+/// Pose reached from the identity by a turn of `turn_rad` over a CHORD of `chord_m`. The chord points along
+/// half the turn (a circular arc) plus `chord_rad` to the left.
 inline Pose2 along_arc(double turn_rad, double chord_m, double chord_rad = 0.0) {
     const double direction_rad = turn_rad / 2 + chord_rad;
     return {chord_m * std::cos(direction_rad), chord_m * std::sin(direction_rad), turn_rad};

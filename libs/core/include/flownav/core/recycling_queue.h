@@ -5,8 +5,8 @@
 
 namespace flownav {
 
-/// First in, first out. The places of what has gone are used again with all the memory that it held: once the
-/// queue has been as long as it gets, nothing is allocated any more.
+/// First-in, first-out queue that reuses popped elements with the memory they hold: it allocates only while
+/// it grows beyond its largest size so far.
 template <typename T>
 class RecyclingQueue {
   public:
@@ -14,7 +14,7 @@ class RecyclingQueue {
     std::size_t size() const { return count_; }
     T& front() { return places_[oldest_]; }
 
-    /// The new last one, as some thing before left it.
+    /// Returns the new back element; its content is unspecified.
     T& push() {
         if (count_ == places_.size()) {
             std::rotate(places_.begin(), places_.begin() + static_cast<std::ptrdiff_t>(oldest_),

@@ -2,7 +2,7 @@
 
 namespace flownav {
 
-/// The version of this library, such as "0.1.0"; the project's CMakeLists.txt holds it.
+/// Version of this library, such as "0.1.0", as set in the project's CMakeLists.txt.
 const char* version();
 
 }  // namespace flownav

@@ -4,8 +4,8 @@
 namespace flownav {
 
 enum class BeamKind {
-    Unknown,   ///< nothing is known about this bearing: NOT free
-    Free,      ///< floor was confirmed up to range_m, nothing beyond
+    Unknown,   ///< this bearing was not seen: NOT free
+    Free,      ///< floor was confirmed up to range_m; beyond it is unknown
     Obstacle,  ///< the nearest obstacle stands at range_m
 };
 

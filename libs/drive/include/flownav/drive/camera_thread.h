@@ -15,13 +15,13 @@ namespace flownav::drive {
 /// Called with every field and its record, in the camera's thread.
 using FieldSink = std::function<void(const Field&, const pipeline::Step&)>;
 
-/// The flow sensor of a camera: reads fields and works on them in a thread of its own. Fields are stamped
-/// with the clock of the drive: those of a live camera with the time they were taken at, those of a recording
-/// (a rawlog, a folder of images, a video file) as if it began now; a recording is read at its own pace.
-/// Whatever throws in the thread ends the feed, and end() says what.
+/// The flow sensor of a camera: reads and processes fields in its own thread. Time stamps are in the clock of
+/// the drive: the capture time for a live camera; for a recording (a rawlog, a folder of images, a video
+/// file), as if it began now. A recording is read at its own pace. An exception in the thread ends the feed;
+/// end() returns its message.
 class CameraThread : public SensorFeed {
   public:
-    /// Opens the camera. Throws InputError: it is not there. The clock outlives this.
+    /// Opens the camera. Throws InputError when it cannot be opened. The clock must outlive this object.
     CameraThread(const io::ProducerSettings& settings, const SteadyClock& clock, FieldSink sink);
     ~CameraThread() override;
 
@@ -42,7 +42,7 @@ class CameraThread : public SensorFeed {
     std::vector<nav::SensorUpdate> arrived_;
     std::string end_;
     std::atomic<bool> stops_{false};
-    std::thread thread_;  ///< last: starts when all else is there
+    std::thread thread_;  ///< last: starts when all other members exist
 };
 
 }  // namespace flownav::drive

@@ -5,7 +5,7 @@
 
 namespace flownav::drive {
 
-/// The clock of a drive: the readings of the wheels and the fields are stamped with it.
+/// The clock of a drive; stamps wheel readings and fields.
 class Clock {
   public:
     Clock() = default;
@@ -13,15 +13,15 @@ class Clock {
     Clock(const Clock&) = delete;
     Clock& operator=(const Clock&) = delete;
 
-    /// Seconds; never goes back.
+    /// Seconds, monotonic.
     virtual double now_s() const = 0;
 
-    /// Returns at that time, or soon after it; at once when it is over.
+    /// Returns at `time_s` or soon after; at once when it has passed.
     virtual void wait_until_s(double time_s) = 0;
 };
 
-/// Seconds since 1970 as the system's clock showed them when this was made, counted on by a steady clock: a
-/// system clock that is set during the drive moves nothing.
+/// Seconds since 1970: the system time at construction, advanced by a steady clock. Setting the system clock
+/// during the drive has no effect.
 class SteadyClock : public Clock {
   public:
     SteadyClock();
@@ -29,7 +29,8 @@ class SteadyClock : public Clock {
     double now_s() const override;
     void wait_until_s(double time_s) override;
 
-    /// The time of this clock at which the system's clock showed `system_s`, if it has not been set since.
+    /// Converts a system time to the time of this clock, assuming that the system clock has not been set
+    /// since.
     double from_system_s(double system_s) const;
 
   private:
@@ -37,7 +38,7 @@ class SteadyClock : public Clock {
     double began_s_;
 };
 
-/// The time that the system's clock shows, seconds since 1970.
+/// The current system time, seconds since 1970.
 double system_time_s();
 
 }  // namespace flownav::drive

@@ -16,58 +16,59 @@
 namespace flownav::drive {
 
 enum class Outcome {
-    Reached,    ///< the goal, or the length of way that was asked for
+    Reached,    ///< at the goal, or `way_max_m` was driven
     Blocked,    ///< no way was found
-    Collision,  ///< something was touched; only a simulation knows
-    Timeout,    ///< the time was over
-    Stopped,    ///< told to stop
-    Lost        ///< base, camera or program failed
+    Collision,  ///< the robot touched an obstacle; only of a simulation
+    Timeout,  ///< time limit exceeded
+    Stopped,  ///< stop_wanted() returned true
+    Lost  ///< base or camera failed, or an exception was thrown
 };
 
-/// The word of an outcome, as result files have it.
+/// Returns the word for an outcome that result files use.
 const char* to_string(Outcome outcome);
 
 struct DriveOptions {
-    config::Config config;  ///< sections [map] and [navigation]
-    nav::GuardParams guard;
-    Pose2 start;                                      ///< in the frame of the goals
-    std::vector<Eigen::Vector2d> goals_m;             ///< the last one is the goal
-    std::optional<Eigen::Vector2d> waypoint_robot_m;  ///< instead: a way point fixed in the robot's frame
+    config::Config config;  ///< sections [map], [navigation] and [guard]
+    Pose2 start;  ///< in the frame of the goals
+    std::vector<Eigen::Vector2d> goals_m;  ///< the last one is the goal
+    /// Replaces `goals_m`: a way point fixed in the robot's frame.
+    std::optional<Eigen::Vector2d> waypoint_robot_m;
     double timeout_s = 120.0;
-    double way_max_m = 1e9;        ///< the drive is over (Reached) after so much way; for waypoint_robot_m
-    double tick_s = 0.02;          ///< of wheels, guard and motors
+    double way_max_m = 1e9;  ///< length after which the drive ends as Reached; for waypoint_robot_m
+    double tick_s = 0.02;  ///< period of wheels, guard and motors
     std::string navlog_directory;  ///< empty: none
-    double hung_s = 0.0;  ///< > 0: a thread stops the base when the loop hangs for so long; for real robots
-    std::function<bool()> stop_wanted;               ///< asked every tick; empty: never
-    nav::NavigationStack::FaultInjection navigator;  ///< for tests: what the navigator proposes instead
+    /// > 0: a watchdog thread stops the base when the loop hangs for this long; for real robots.
+    double hung_s = 0.0;  ///< > 0: a thread stops the base when a tick takes longer; for real robots
+    std::function<bool()> stop_wanted;  ///< polled every tick; empty: never stops
+    nav::NavigationStack::FaultInjection navigator;  ///< for tests: replaces the navigator's proposal
 };
 
-/// One control tick, in the frame of the goals where nothing else is said.
+/// One control tick; poses are in the frame of the goals unless stated otherwise.
 struct DriveSample {
     double time_s = 0.0;  ///< since the start of the drive
-    Pose2 T_world_robot;  ///< truth; a simulation has it
+    Pose2 T_world_robot;  ///< true pose; valid when truth_known
     bool truth_known = false;
-    Pose2 T_map_robot;  ///< as the robot believes
-    Pose2 odometry;     ///< wheels alone, T_odom_robot
+    Pose2 T_map_robot;  ///< estimate of the robot
+    Pose2 odometry;  ///< T_odom_robot of the wheels
     MotionCommand motion;
     MotionCommand proposed;
     MotionCommand command;
-    double clearance_m = 0.0;  ///< true distance to the nearest thing; with truth_known
+    double clearance_m = 0.0;  ///< true distance to the nearest obstacle; valid when truth_known
 };
 
 struct DriveResult {
     Outcome outcome = Outcome::Timeout;
-    std::string why;  ///< what was touched, why it is blocked, what was lost
+    std::string why;  ///< the touched obstacle, or the reason of the outcome; empty: reached
     double time_s = 0.0;
-    double path_m = 0.0;                 ///< true way in a simulation, believed way otherwise
-    double min_clearance_m = 0.0;        ///< of a simulation
-    double contact_speed_mps = 0.0;      ///< of a collision
-    std::vector<nav::GuardEvent> stops;  ///< and slow-downs; times since the start of the drive
+    double path_m = 0.0;  ///< length of the true way in a simulation, of the estimated way otherwise
+    double min_clearance_m = 0.0;  ///< simulation only
+    double contact_speed_mps = 0.0;  ///< simulation only, after a collision
+    std::vector<nav::GuardEvent> stops;  ///< stops and slow-downs; times since the start of the drive
     std::vector<DriveSample> samples;
 };
 
-/// Who watches a drive; every function does nothing unless it is overridden. on_field() comes in the thread
-/// that works on the fields, all others in the one that drives.
+/// Is told of the events of a drive; the default functions are empty. on_field() is called in the thread that
+/// processes the fields, all others in the thread of the control loop.
 class DriveObserver {
   public:
     DriveObserver() = default;
@@ -83,14 +84,14 @@ class DriveObserver {
     virtual void on_end(const nav::NavigationStack&) {}
 };
 
-/// Knows the truth about the drive, as a simulation does.
+/// Returns the true state of the robot; implemented by a simulation.
 class Witness {
   public:
     struct Truth {
         Pose2 T_world_robot;
         MotionCommand motion;
         double clearance_m = 0.0;
-        std::string touched;  ///< what the robot touches; empty: nothing
+        std::string touched;  ///< name of the touched obstacle; empty when the robot is free
         bool at_goal = false;
     };
 
@@ -103,17 +104,17 @@ class Witness {
     virtual Truth truth(double time_s, bool last_goal) = 0;
 };
 
-/// The parts of a robot that a drive is made with.
+/// The parts of a robot that drive() needs; they must outlive the drive.
 struct DrivenRobot {
     Clock& clock;
     nav::RobotBase& base;
     SensorFeed& feed;
-    Witness* witness = nullptr;  ///< null: nobody knows the truth
+    Witness* witness = nullptr;  ///< null: the truth is unknown
 };
 
-/// Drives a robot, simulated or real, to its goal, tick by tick. Whatever happens, and whatever base, sensor
-/// or observer throw, the base is told to stop at the end and the result says what happened. Throws only
-/// before the robot moves: std::invalid_argument for options that make no sense.
+/// Drives a robot, simulated or real, to its goal, tick by tick. Stops the base at the end, also when base,
+/// sensor or observer throw; the outcome is Lost then. Throws std::invalid_argument, before the robot moves,
+/// for options that contradict each other.
 DriveResult drive(const DriveOptions& options, const DrivenRobot& robot, DriveObserver& observer);
 
 }  // namespace flownav::drive

@@ -10,17 +10,16 @@ namespace flownav::drive {
 
 struct DriveRecorderOptions {
     std::filesystem::path rawlog;  ///< fields, odometry and truth; empty: none
-    std::filesystem::path csv;     ///< one row a decision of the navigator; empty: none
-    /// What happens when the disk is slower than the drive: fields are left out and counted (a robot must not
-    /// wait), or the drive waits (a simulation can).
+    std::filesystem::path csv;     ///< one row per decision of the navigator; empty: none
+    /// With a disk slower than the drive: true lets the drive wait (simulation only), false drops fields and
+    /// counts them.
     bool may_wait = false;
 };
 
-/// Writes a drive down while it happens, in a thread of its own: neither the camera nor the motors wait for
-/// the disk, unless `may_wait`.
+/// Records a drive in its own thread. Camera and motors never wait for the disk, unless `may_wait`.
 class DriveRecorder : public DriveObserver {
   public:
-    /// Throws OutputError: a file cannot be made.
+    /// Creates the files. Throws OutputError when one cannot be created.
     explicit DriveRecorder(const DriveRecorderOptions& options);
     ~DriveRecorder() override;
 
@@ -29,11 +28,11 @@ class DriveRecorder : public DriveObserver {
     void on_truth(double timestamp_s, const Pose2& T_world_robot) override;
     void on_decision(const DriveSample& sample, const nav::NavigationStack& stack) override;
 
-    /// Writes what still waits, and gives the files their names. Throws OutputError, also for what could not
-    /// be written while the robot drove.
+    /// Writes all waiting data, closes the files and renames the rawlog to its final name. Throws
+    /// OutputError, also for write errors during the drive.
     void complete();
 
-    /// Fields that were left out because the disk was too slow.
+    /// Number of fields dropped because the disk was too slow.
     int fields_left_out() const;
 
   private:
@@ -41,7 +40,7 @@ class DriveRecorder : public DriveObserver {
     std::unique_ptr<Impl> impl_;
 };
 
-/// The columns of the csv, and one row.
+/// Header and row of the csv, each with its newline.
 std::string drive_csv_header();
 std::string drive_csv_row(const DriveSample& sample, const nav::RecoveryDecision& decision,
                           nav::GuardAction action);

@@ -10,7 +10,7 @@
 
 namespace flownav::drive {
 
-/// What the sensor of a robot has to say; filled by a camera's thread, by the simulation, or by a test.
+/// Source of a robot's sensor updates; implemented by a camera thread, the simulation or a test.
 class SensorFeed {
   public:
     SensorFeed() = default;
@@ -18,15 +18,15 @@ class SensorFeed {
     SensorFeed(const SensorFeed&) = delete;
     SensorFeed& operator=(const SensorFeed&) = delete;
 
-    /// Everything that arrived since the last call, in its order. Never waits.
+    /// Returns the updates that arrived since the last call, in order of arrival. Never waits.
     virtual std::vector<nav::SensorUpdate> arrived() = 0;
 
-    /// Why nothing will ever arrive again; empty: more may come.
+    /// Returns the reason why no more updates will come; empty while more may come.
     virtual std::string end() = 0;
 };
 
-/// What a field's record says, for the navigation stack; times less `epoch_s`. `images`: fed with every
-/// field.
+/// Converts the record of a field to an update for the navigation stack; times are reduced by `epoch_s`.
+/// `images` is updated with every field.
 nav::SensorUpdate sensor_update_of(const pipeline::Step& step, const Field& field,
                                    pipeline::RepeatedImages& images, double epoch_s = 0.0);
 

@@ -9,25 +9,25 @@
 
 namespace flownav::evaluation {
 
-/// Whether the camera's pose agrees with what the drive shows.
+/// Result of comparing the configured camera pose with the flow of a drive.
 struct CameraCheck {
-    static constexpr double angle_limit_deg = 1.0;  ///< an error beyond this is reported
-    static constexpr double ratio_low = 0.8;        ///< odometry over flow odometry
+    static constexpr double angle_limit_deg = 1.0;  ///< larger errors are reported
+    static constexpr double ratio_low = 0.8;        ///< smallest plausible ratio of odometry to flow odometry
     static constexpr double ratio_high = 1.25;
 
-    int pairs = 0;                  ///< cycles that showed enough floor
-    motion::PoseCorrection angles;  ///< what would have to be added to pitch, roll and yaw
-    double agreeing = 0.0;          ///< share of the vectors of the near floor that do agree with a plane
-    bool angles_known = false;      ///< whether that means anything
-    std::optional<ScaleFit> scale;  ///< odometry over flow odometry
-    double height_m = 0.0;          ///< as assumed
+    int pairs = 0;                  ///< number of cycles with enough floor
+    motion::PoseCorrection angles;  ///< corrections of pitch, roll and yaw
+    double agreeing = 0.0;          ///< share of the near floor's vectors that agree with a plane
+    bool angles_known = false;      ///< true when the drive determines the angles
+    std::optional<ScaleFit> scale;  ///< ratio of odometry to flow odometry; empty without odometry
+    double height_m = 0.0;          ///< as configured
     std::vector<std::string> warnings;
 
-    /// consistent, not_determined, pose_contradicts_flow, height_contradicts_odometry
+    /// One of consistent, not_determined, pose_contradicts_flow, height_contradicts_odometry.
     const char* verdict = "not_determined";
 };
 
-/// Collects from the steps of a drive what tells the pose of the camera.
+/// Estimates the pose of the camera from the steps of a drive.
 class CameraChecker {
   public:
     explicit CameraChecker(Geometry geometry) : geometry_(geometry) {}
@@ -39,7 +39,7 @@ class CameraChecker {
     Geometry geometry_;
     CameraMount mount_;
     PoseSum sum_{8};
-    double pitch_at_rad_ = 0.0;  ///< correction with which the next pair is seen
+    double pitch_at_rad_ = 0.0;  ///< pitch correction at which the next pair is evaluated
     double near_vectors_ = 0.0, close_vectors_ = 0.0;
     double reference_s_ = 0.0;
     std::vector<TravelPiece> pieces_;

@@ -6,7 +6,8 @@
 
 namespace flownav::evaluation {
 
-/// egomotion.csv: one row a field. A number that was not measured, and has no estimate, is an empty cell.
+/// Writes egomotion.csv, one row per field. Values without measurement and estimate are empty cells. All
+/// functions throw OutputError.
 class EgomotionCsv {
   public:
     explicit EgomotionCsv(const std::filesystem::path& path);
@@ -17,7 +18,8 @@ class EgomotionCsv {
     io::OutputFile file_;
 };
 
-/// obstacles.csv: one row an obstacle point, in the robot frame at the row's time.
+/// Writes obstacles.csv, one row per obstacle point, in the robot frame at the row's time. All functions
+/// throw OutputError.
 class ObstaclesCsv {
   public:
     explicit ObstaclesCsv(const std::filesystem::path& path);

@@ -17,28 +17,28 @@
 
 namespace flownav::evaluation {
 
-/// What went into the output files.
+/// Counts of the contents of the output files.
 struct WrittenCounts {
     std::uint64_t trajectory_poses = 0;
     std::uint64_t odometry_poses = 0;
     std::uint64_t ground_truth_poses = 0;
     std::uint64_t egomotion_rows = 0;
     std::uint64_t obstacle_points = 0;
-    std::uint64_t cycles = 0;                            ///< finished cycles, each a scan and a cloud
-    mapping::CellCounts map_cells;                       ///< of map.pgm
-    std::map<std::string, std::uint64_t> result_rawlog;  ///< observations by label
+    std::uint64_t cycles = 0;                            ///< finished cycles, each with a scan and a cloud
+    mapping::CellCounts map_cells;                       ///< cells of map.pgm
+    std::map<std::string, std::uint64_t> result_rawlog;  ///< number of observations by label
 };
 
-/// Everything that is known when a drive has been replayed.
+/// Results of the replay of a drive.
 struct Drive {
-    std::string input_name;  ///< of the file, without its folder
+    std::string input_name;  ///< file name without its folder
     io::ReadEnd end;
-    std::string stop_reason;  ///< why reading stopped before the end; empty when it did not
+    std::string stop_reason;  ///< reason why reading stopped before the end; empty when it did not
     io::InputCounts read;
     WrittenCounts written;
     std::vector<FieldRow> rows;
-    FieldFaultCounts field_faults{};    ///< why fields had the status bad_field
-    std::vector<std::string> warnings;  ///< about results that are less than they seem, for people
+    FieldFaultCounts field_faults{};    ///< reasons of the status bad_field
+    std::vector<std::string> warnings;  ///< sentences about limited results
     PoseTrack odometry;
     PoseTrack ground_truth;
     std::optional<Errors> odometry_errors;      ///< empty when the rawlog has no odometry
@@ -46,32 +46,33 @@ struct Drive {
     CameraCheck camera_check;
 };
 
-/// How the input ended, in one word, as summary.json has it.
+/// Kind of the input's end as one word, as written to summary.json.
 const char* end_word(const Drive& drive);
 
-/// How the input ended, in one sentence for people.
+/// Kind of the input's end as one sentence.
 std::string end_sentence(const Drive& drive);
 
-/// How many fields had each status, in the order of all_field_statuses.
+/// Number of fields with each status, in the order of all_field_statuses.
 std::vector<std::uint64_t> status_counts(const std::vector<FieldRow>& rows);
 
-/// How long the motion was not measured and the pose was carried over.
+/// Times during which the motion was not measured and the pose was carried over.
 struct CarriedTime {
     double total_s = 0.0;
     double longest_s = 0.0;
-    double duration_s = 0.0;  ///< of the drive
-    double sigma_m = 0.0;     ///< of the end position, by that
+    double duration_s = 0.0;  ///< duration of the drive
+    double sigma_m = 0.0;     ///< standard deviation of the end position caused by carrying over
 };
 CarriedTime carried_time(const std::vector<FieldRow>& rows);
 
-/// One sentence when that is more than a few per cent of the drive; else empty. `carry_max_s`: as configured.
+/// Warning when the carried time exceeds 0.5 s and 2 % of the drive, or `carry_max_s` (as configured) at a
+/// stretch; else empty.
 std::string carried_warning(const CarriedTime& carried, double carry_max_s);
 
-/// One sentence when cycles were left out of the map because the robot was too far from the start; else
+/// Warning when cycles were left out of the map because the robot was more than `half_m` from the start; else
 /// empty.
 std::string map_warning(int sets, int sets_outside, double half_m);
 
-/// What a status means and what to do about it, for people.
+/// Explanation of a status for reports.
 const char* explain(FieldStatus status);
 
 }  // namespace flownav::evaluation

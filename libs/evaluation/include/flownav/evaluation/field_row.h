@@ -8,15 +8,15 @@
 
 namespace flownav::evaluation {
 
-/// How many blocks have each label, in the order of BlockLabel.
+/// Number of blocks with each label, in the order of BlockLabel.
 using LabelCounts = std::array<std::uint16_t, 8>;
 
-/// The little of a step that the metrics and the report still need after the drive.
+/// The values of a step that metrics and report need after the drive.
 struct FieldRow {
     double timestamp_s = 0.0;
     FieldStatus status = FieldStatus::Waiting;
     bool v_measured = false;
-    bool starts_reference = false;  ///< the next fields are compared with this one
+    bool starts_reference = false;  ///< this field is the reference of the next ones
     double omega_radps = 0.0;
     double v_mps = 0.0;
     pipeline::CarriedPose carried;
@@ -30,7 +30,7 @@ struct FieldRow {
     LabelCounts labels{};
 };
 
-/// Of the blocks that have a vector, or an ambiguous one, in the running cycle.
+/// Counts the labels of all blocks of a step.
 LabelCounts label_counts_of(const pipeline::Step& step);
 
 FieldRow row_of(const pipeline::Step& step);

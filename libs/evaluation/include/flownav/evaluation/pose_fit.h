@@ -7,13 +7,13 @@
 
 namespace flownav::evaluation {
 
-/// Adds up the equations of pairs in the order of the drive. Neighbouring pairs see the same floor, so their
-/// errors are alike: the scatter that tells the uncertainty is that between groups of them.
+/// Adds the equations of pairs in the order of the drive. Consecutive pairs see the same floor and have
+/// correlated errors, so the uncertainty is computed from the scatter between groups of pairs.
 class PoseSum {
   public:
     explicit PoseSum(int pairs_per_group) : pairs_per_group_(pairs_per_group) {}
 
-    /// `at_rad`: the correction with which the pair was seen.
+    /// Adds the equations of a pair. `at_rad`: correction at which the pair was evaluated.
     void add(motion::PoseEquations pair, const motion::MountAngles& at_rad = motion::MountAngles::Zero());
 
     int pairs() const { return pairs_; }
@@ -27,25 +27,24 @@ class PoseSum {
     std::vector<motion::PoseEquations> groups_;
 };
 
-/// Angles of the camera that explain a drive.
+/// Angles of the camera estimated from a drive.
 struct AnglesFit {
-    motion::MountAngles correction_rad =
-        motion::MountAngles::Zero();  ///< of the mounts that the pairs come with
+    motion::MountAngles correction_rad = motion::MountAngles::Zero();  ///< added to the mounts of the pairs
     motion::MountAngles sigma_rad = motion::MountAngles::Constant(motion::unknown_angle_rad);
-    motion::PitchPrior pitch_prior;  ///< as the drive showed it
+    motion::PitchPrior pitch_prior;  ///< estimated from the drive
     bool settled = false;
     int pairs = 0;
-    double agreeing_vectors = 0.0;  ///< that move like the floor, within a pixel or so
-    double agreeing = 0.0;          ///< their share of those where the near floor is expected
+    double agreeing_vectors = 0.0;  ///< near vectors within 3.5 standard deviations of the floor's motion
+    double agreeing = 0.0;          ///< share of agreeing vectors among the near vectors
 };
 
-/// Gauss-Newton over all pairs, from a correction to start with.
+/// Estimates the unknown angles by Gauss-Newton steps over all pairs, from `start_rad`.
 AnglesFit fit_angles(const std::vector<CalibrationPair>& pairs, const motion::MountAngles& start_rad,
                      const motion::AngleMask& unknown);
 
-/// A pair as a camera of corrected mount sees it.
+/// A pair evaluated with a camera of corrected mount.
 struct SeenPair {
-    CameraModel camera;  ///< of the reference
+    CameraModel camera;  ///< corrected camera of the reference
     RayMapper reference;
     RayMapper newer;
     std::vector<RayFlow> rays;
@@ -53,20 +52,20 @@ struct SeenPair {
 
 SeenPair seen(const CalibrationPair& pair, const motion::MountAngles& correction_rad);
 
-/// Odometry over flow odometry, which is the true over the assumed height.
+/// Ratio of odometry to flow odometry, which equals the ratio of true to assumed height.
 struct ScaleFit {
     double ratio = 1.0;
     double sigma = 0.0;
     int pairs = 0;
 };
 
-/// A cycle's travel by flow.
+/// Travel between two times, measured by flow.
 struct TravelPiece {
     double begin_s, end_s;
     double forward_m;
 };
 
-/// Nothing when odometry and flow share too few pieces of forward driving.
+/// Estimates the ratio; empty when fewer than 8 pieces have travel in both.
 std::optional<ScaleFit> fit_scale(const std::vector<TravelPiece>& flow, const PoseTrack& odometry);
 
 }  // namespace flownav::evaluation

@@ -13,7 +13,7 @@ struct TimedPose {
     mrpt::math::TPose3D pose;
 };
 
-/// Poses over time, in the frame of whoever recorded them. Samples may come in any order; of several with the
+/// Poses over time in the frame of their recording. Samples may be added in any order; of several with the
 /// same time the first counts.
 class PoseTrack {
   public:
@@ -24,14 +24,16 @@ class PoseTrack {
     /// Sorts the samples; at() and aligned() need it after the last add().
     void finish();
 
-    /// Pose at a time: positions linear, rotation along the shortest arc. Nothing outside the recorded span.
+    /// Interpolated pose at a time: position linear, rotation along the shortest arc. Empty outside the
+    /// recorded span.
     std::optional<mrpt::math::TPose3D> at(double timestamp_s) const;
 
-    /// The same on the ground.
+    /// Pose at a time, projected on the ground. Empty outside the recorded span.
     std::optional<Pose2> ground_at(double timestamp_s) const;
 
-    /// The samples from `start_s` on, in the frame of the pose at `start_s`, which comes first as the
-    /// identity. A track that begins later starts with its own first sample; one that ends earlier is empty.
+    /// Samples from `start_s` on, in the frame of the pose at `start_s`, which is the first element (the
+    /// identity). A track that begins later starts with its first sample; one that ends earlier gives an
+    /// empty result.
     std::vector<TimedPose> aligned(double start_s) const;
 
   private:

@@ -6,24 +6,25 @@
 
 namespace flownav::evaluation {
 
-/// Tells where the time of a replay goes: every moment belongs to the stage that was entered last.
+/// Measures the time of each stage of a replay: time is attributed to the stage that was entered last.
 class Profiler {
   public:
     using Stage = double StageTimes::*;
-    static constexpr Stage other = nullptr;  ///< what no stage accounts for
+    static constexpr Stage other = nullptr;  ///< time of no stage
 
     void enter(Stage stage);
 
-    /// Time that was measured elsewhere, perhaps in another thread.
+    /// Adds time that was measured elsewhere, for example in another thread.
     void credit(Stage stage, double seconds) { since_field_.*stage += seconds; }
 
-    /// What was spent since the last field belongs to this one.
+    /// Attributes the time since the previous call to this field.
     void end_field(double timestamp_s);
 
-    /// A matcher whose time counts as matching, and what follows as motion. The clock must outlive it.
+    /// Wraps a matcher: its time is attributed to matching, the time after it to motion. The profiler must
+    /// outlive the result.
     flow::Matcher timed(flow::Matcher matcher);
 
-    /// Everything since the clock was made.
+    /// Fills `timing` with the stages, fields and total time since construction.
     void report(Timing& timing);
 
   private:

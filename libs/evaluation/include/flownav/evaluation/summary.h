@@ -6,8 +6,8 @@
 
 namespace flownav::evaluation {
 
-/// The text of summary.json: what was read, rejected and written, the errors, the configuration, and in ONE
-/// object, "timing", all that may differ from run to run.
+/// Text of summary.json: counts of observations read, rejected and written, errors, configuration, and the
+/// object "timing". Only "timing" may differ between runs.
 std::string summary_json(const Drive& drive, const config::Config& config, const Timing& timing);
 
 }  // namespace flownav::evaluation

@@ -6,7 +6,7 @@
 
 namespace flownav::evaluation {
 
-/// summary.json without its timing.
+/// Content of summary.json without the object "timing".
 nlohmann::ordered_json summary_facts(const Drive& drive, const config::Config& config);
 
 /// The object "timing" of summary.json.

@@ -8,8 +8,8 @@ namespace flownav::evaluation {
 /// Seconds spent in the stages of a replay.
 struct StageTimes {
     double decode_s = 0.0;  ///< reading the recording, decoding images
-    double match_s = 0.0;   ///< finding blocks again
-    double motion_s = 0.0;  ///< ego-motion, and what is an obstacle
+    double match_s = 0.0;   ///< matching blocks
+    double motion_s = 0.0;  ///< ego-motion and obstacles
     double map_s = 0.0;     ///< entering obstacles and floor into the map
     double write_s = 0.0;   ///< files, pictures, report
 };
@@ -26,13 +26,13 @@ constexpr std::array<NamedStage, 5> all_stages = {{{"decode", &StageTimes::decod
                                                    {"write", &StageTimes::write_s}}};
 
 struct FieldTimes {
-    double timestamp_s = 0.0;  ///< of the field
-    StageTimes spent;          ///< since the field before
+    double timestamp_s = 0.0;  ///< time of the field
+    StageTimes spent;          ///< time spent since the previous field
 };
 
-/// Where the time went: all that may differ from run to run.
+/// Timing of a replay; may differ between runs.
 struct Timing {
-    StageTimes stages;  ///< of the whole replay
+    StageTimes stages;  ///< sums over the whole replay
     std::vector<FieldTimes> fields;
     double total_s = 0.0;
     int threads = 1;

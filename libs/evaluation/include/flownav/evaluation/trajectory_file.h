@@ -8,7 +8,8 @@
 
 namespace flownav::evaluation {
 
-/// A trajectory in TUM format, one pose a line: timestamp x y z qx qy qz qw (seconds, metres).
+/// Writes a trajectory in TUM format, one pose per line: timestamp x y z qx qy qz qw (seconds, metres). All
+/// functions throw OutputError.
 class TrajectoryFile {
   public:
     explicit TrajectoryFile(const std::filesystem::path& path) : file_(path) {}

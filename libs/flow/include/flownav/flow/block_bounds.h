@@ -8,10 +8,10 @@
 
 namespace flownav::flow {
 
-/// A displacement in whole pixels. What is not finite, or is farther than any image is large, becomes a
-/// displacement whose search window lies outside every image.
+/// Rounds a displacement to whole pixels. A component that is not finite, or not below 1e8 px, becomes 1e8
+/// px, which moves the search window out of every image.
 inline Eigen::Vector2i whole_px(const Eigen::Vector2d& displacement_px) {
-    constexpr double far_px = 1e8;  // an int holds it, and the sum of two
+    constexpr double far_px = 1e8;  // an int holds the sum of two
     const auto nearest = [](double value) {
         const bool usable = std::abs(value) < far_px;  // false for NaN
         return static_cast<int>(usable ? value + std::copysign(0.5, value) : far_px);
@@ -19,7 +19,7 @@ inline Eigen::Vector2i whole_px(const Eigen::Vector2d& displacement_px) {
     return {nearest(displacement_px.x()), nearest(displacement_px.y())};
 }
 
-/// Top left pixel of a displaced block, in numbers that do not overflow.
+/// Top left pixel of a displaced block; 64 bits cannot overflow.
 inline Eigen::Matrix<std::int64_t, 2, 1> displaced(const Eigen::Vector2i& corner_px,
                                                    const Eigen::Vector2i& bias_px) {
     return corner_px.cast<std::int64_t>() + bias_px.cast<std::int64_t>();

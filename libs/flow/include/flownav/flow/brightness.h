@@ -10,15 +10,15 @@
 
 namespace flownav::flow {
 
-/// How the exposure changed between two images: newer = gain * reference + offset, in grey levels.
+/// Change of exposure between two images: newer = gain * reference + offset, in grey levels.
 struct Brightness {
     double gain = 1.0;
     double offset = 0.0;
 };
 
-/// The same in 16-bit numbers, of which processors change many at once: shown = (grey * gain + offset) >> 5,
-/// with `gain` in 1/16384, its product cut to 1/32 grey level, and the half that rounds in `offset`. Exact
-/// where nothing changes.
+/// A Brightness in 16-bit fixed point, for SIMD: shown = (grey * gain + offset) >> 5. `gain` is in units of
+/// 1/16384 and its product is truncated to 1/32 grey level; `offset` includes the half that rounds. Exact for
+/// the identity.
 struct GreyMap {
     std::int16_t gain = unit_gain;
     std::int16_t offset = half;
@@ -36,24 +36,24 @@ struct GreyMap {
     bool is_identity() const { return gain == unit_gain && offset >= 0 && offset < 2 * half; }
 };
 
-/// The grey level that the newer image shows for each grey level of the reference.
+/// Grey level in the newer image for each grey level of the reference.
 using GreyTable = std::array<std::uint8_t, 256>;
 
 GreyTable grey_table(const Brightness& brightness);
 
-/// What the pixels of the blocks add up to in the two images; working memory of compare_brightness().
+/// Sums of the blocks' pixels in the two images; working memory of compare_brightness().
 struct GreySums {
-    std::vector<double> reference, reference2;  ///< grey levels of a block, and their squares
+    std::vector<double> reference, reference2;  ///< sums of a block's grey levels and of their squares
     std::vector<double> newer, newer2;
-    std::vector<double> difference;  ///< of the block's sum from what the brightness says
+    std::vector<double> difference;  ///< of the newer sum from the one that the brightness predicts, absolute
     std::vector<double> sorted;
 };
 
-/// Compares the blocks of the reference with the places where they are expected in the newer image
-/// (`bias_px` further, one per block): gain from the deviations of all their pixels, offset from the means.
-/// Being statistics they need no alignment: a wrong expectation costs precision, not truth. The first
-/// 192 blocks are enough: more say the same. Blocks that do not follow the others (something moved in, a
-/// highlight) are left out. No change where nothing can be compared. Allocates only when `sums` has to grow.
+/// Estimates the change of brightness from the blocks of the reference and their expected places in the newer
+/// image, displaced by `bias_px` (one per block). The gain comes from the standard deviations of all pixels,
+/// the offset from the means, so a misplaced block costs precision only. Uses the first 192 blocks and leaves
+/// out the 30 % that fit worst (occlusions, highlights). Returns the identity when no block can be compared.
+/// Allocates only when `sums` has to grow.
 Brightness compare_brightness(const ImageView& reference, const ImageView& newer, const BlockLayout& layout,
                               const std::vector<Eigen::Vector2i>& bias_px, GreySums& sums);
 

@@ -3,20 +3,20 @@
 
 namespace flownav::flow {
 
-/// The defaults are those that did best on the scenes of tests/support. The window is odd: its samples then
-/// lie half-way between the pixels, as the centres of the blocks do, and being means of four are calmer.
+/// Settings of LkMatcher; the defaults did best on the scenes of tests/support. The window size is odd, so
+/// that samples lie half-way between pixels, as block centres do, and average four pixels.
 struct LkSettings {
-    int window_px = 21;                ///< edge of the square that is followed
-    int levels = 1;                    ///< of the pyramid above the image itself
+    int window_px = 21;                ///< edge of the tracked square
+    int levels = 1;                    ///< pyramid levels above the image itself
     double eigenvalue_min = 1e-4;      ///< OpenCV's minEigThreshold
-    double disagreement_max_px = 0.5;  ///< between the way there and back; where confidence reaches 0
+    double disagreement_max_px = 0.5;  ///< forward-backward error at which the confidence reaches 0
     BrightnessModel brightness = BrightnessModel::Image;
 };
 
-/// OpenCV's pyramidal Lucas-Kanade, from the predicted flow and back again, to compare the block matcher
-/// with. `valid` where a BlockMatcher has a window and the block ends inside the image. confidence = 1 -
-/// disagreement / disagreement_max_px; 0 where the texture is too weak. The results do not depend on
-/// OpenCV's number of threads, but may on its version. Allocates in every call.
+/// OpenCV's pyramidal Lucas-Kanade with forward-backward check, starting from the predicted flow; a reference
+/// for the block matcher. `valid` where a BlockMatcher has a window and the block ends inside the image.
+/// confidence = 1 - disagreement / disagreement_max_px, and 0 where the texture is too weak. Results do not
+/// depend on OpenCV's number of threads, but may depend on its version. Allocates in every call.
 class LkMatcher {
   public:
     explicit LkMatcher(const LkSettings& settings = {}) : settings_(settings) {}
@@ -27,5 +27,8 @@ class LkMatcher {
   private:
     LkSettings settings_;
 };
+
+/// Registers LkMatcher as "lk", with `brightness` of FlowParams. Further calls have no effect.
+void register_lk_matcher();
 
 }  // namespace flownav::flow

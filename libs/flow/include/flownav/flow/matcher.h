@@ -10,10 +10,9 @@
 
 namespace flownav::flow {
 
-/// Whatever measures the flow of the blocks of a layout between two images of the same size. `predicted_px`:
-/// the flow to start from, one per block. `vectors` gets one entry per block; what could not be measured is
-/// not `valid`. A matcher may keep working memory between calls, but its results depend on the arguments
-/// only.
+/// Measures the flow of the blocks of a layout between two images of the same size. `predicted_px`: the flow
+/// to start from, one per block. `vectors` gets one entry per block; one that was not measured is not
+/// `valid`. A matcher may keep working memory between calls, but its results depend on the arguments only.
 using Matcher =
     std::function<void(const ImageView& reference, const ImageView& newer, const BlockLayout& layout,
                        const std::vector<Eigen::Vector2d>& predicted_px, std::vector<FlowVector>& vectors)>;

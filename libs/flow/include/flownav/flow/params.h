@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 
 namespace flownav::flow {
 
@@ -6,28 +7,22 @@ namespace flownav::flow {
 enum class Subpixel {
     None,      ///< integer vectors, as printed in [P]
     V,         ///< equiangular: two lines of opposite slope through the three costs around the minimum
-    Parabola,  ///< a parabola through the same three
+    Parabola,  ///< a parabola through the three costs around the minimum
 };
 
-/// What is done about exposure that changes from image to image.
+/// Compensation of exposure that changes from image to image.
 enum class BrightnessModel {
-    Constant,  ///< nothing, as [P]
-    Image,     ///< one gain and one offset an image
-};
-
-/// Who measures the vectors.
-enum class MatcherKind {
-    Sad,  ///< exhaustive block matching
-    Lk,   ///< pyramidal Lucas-Kanade, for comparison; needs OpenCV and is not part of this library
+    Constant,  ///< none, as [P]
+    Image,     ///< one gain and one offset per image
 };
 
 struct FlowParams {
-    MatcherKind matcher = MatcherKind::Sad;
-    int blocks = 350;  ///< how many 16x16 blocks are placed; 16..2000
+    std::string matcher = "sad";  ///< name of a registered matcher; "sad": exhaustive block matching
+    int blocks = 350;             ///< number of 16x16 blocks; 16..2000
     Subpixel subpixel = Subpixel::V;
     BrightnessModel brightness = BrightnessModel::Image;
-    double confidence_min = 0.06;   ///< a match below is sifted; (second - min) / second, 0..1
-    double focus_exclusion = 0.25;  ///< no blocks where |e| is below: the cone around the focus of expansion
+    double confidence_min = 0.06;   ///< smallest accepted (second - min) / second, 0..1
+    double focus_exclusion = 0.25;  ///< smallest |e| of a block: excludes the cone around the FOE
 };
 
 }  // namespace flownav::flow

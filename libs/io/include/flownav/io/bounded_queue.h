@@ -9,13 +9,14 @@
 
 namespace flownav::io {
 
-/// Hands things from one thread to another, in order, at most `capacity` waiting.
+/// Passes elements from a producer thread to a consumer thread in order; holds at most `capacity` elements.
 template <typename T>
 class BoundedQueue {
   public:
     explicit BoundedQueue(std::size_t capacity) : capacity_(capacity) {}
 
-    /// Waits for a place. False when the consumer has stopped: then nobody wants more.
+    /// Waits for a free place and appends the element. False, without appending, when the consumer has
+    /// stopped.
     bool push(T thing) {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [this] { return things_.size() < capacity_ || stopped_; });
@@ -25,7 +26,8 @@ class BoundedQueue {
         return true;
     }
 
-    /// The producer has no more, because of `failure` unless that is null.
+    /// Called by the producer after its last element. `failure`: exception that ended it; null at a regular
+    /// end.
     void close(std::exception_ptr failure = nullptr) {
         const std::lock_guard lock(mutex_);
         closed_ = true;
@@ -33,8 +35,8 @@ class BoundedQueue {
         changed_.notify_all();
     }
 
-    /// Waits for the next thing. Nothing when the producer has closed and all is taken; if it failed, its
-    /// exception is thrown then.
+    /// Waits for the next element. When the producer has closed the queue and it is empty: returns an empty
+    /// optional, or throws the producer's exception.
     std::optional<T> pop() {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [this] { return !things_.empty() || closed_; });
@@ -48,7 +50,7 @@ class BoundedQueue {
         return thing;
     }
 
-    /// The consumer wants no more; what waits is thrown away.
+    /// Called by the consumer when it needs no more elements; discards the waiting ones.
     void stop() {
         const std::lock_guard lock(mutex_);
         stopped_ = true;

@@ -8,27 +8,30 @@
 
 namespace flownav::io {
 
-/// Where a recorded camera pose (optical axes: x right, y down, z forward) puts the camera, angles included.
+/// Converts a recorded camera pose (optical axes: x right, y down, z forward) to position and angles of the
+/// mount.
 CameraMount camera_mount(const mrpt::poses::CPose3D& pose_robot_camera);
 
 /// The inverse of camera_mount().
 mrpt::poses::CPose3D camera_pose(const CameraMount& mount);
 
-/// Intrinsics and plumb-bob distortion as MRPT stores them.
+/// Intrinsics and plumb-bob distortion as MRPT stores them. Throws std::invalid_argument: another lens than
+/// Brown-Conrady.
 mrpt::img::TCamera camera_params(const CameraModel& camera);
 
-/// The camera of an image of width_px x height_px that comes without any recorded calibration.
-/// Throws ConfigError naming the missing keys, or a value out of its range.
+/// Camera of an image of width_px x height_px without recorded calibration. Throws ConfigError naming the
+/// missing keys, or a value out of its range.
 CameraModel camera_model(const config::CameraConfig& config, int width_px, int height_px);
 
-/// The camera that took a recorded image of width_px x height_px: the recording's calibration and pose, each
-/// value replaced by the ini's where that has one. Woven frames: the camera of the whole frame.
-/// Throws ConfigError: no calibration (names the keys), a lens model other than plumb bob, no optical pose,
-/// height outside 0.01..20 m, pitch outside -5..80 deg, roll or yaw over 10 deg.
+/// Camera of a recorded image of width_px x height_px: the recorded calibration and pose, overridden by the
+/// values that the ini sets. For woven frames it is the camera of the whole frame. Throws ConfigError: no
+/// calibration (names the keys), a lens model other than plumb bob, no optical pose, height outside 0.01..20
+/// m, pitch outside -5..80 deg, roll or yaw over 10 deg.
 CameraModel camera_model(const mrpt::obs::CObservationImage& image, const config::CameraConfig& config,
                          int width_px, int height_px);
 
-/// The camera of one field of a woven frame: line v is the frame's line 2 v (top) or 2 v + 1 (bottom).
+/// Camera of one field of a woven frame: line v of the field is line 2 v (top) or 2 v + 1 (bottom) of the
+/// frame.
 CameraModel field_camera(const CameraModel& frame, bool bottom);
 
 }  // namespace flownav::io

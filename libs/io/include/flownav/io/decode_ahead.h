@@ -8,16 +8,16 @@
 namespace flownav::io {
 
 struct Decoded {
-    std::optional<ReplayEvent> event;  ///< nothing: the end
-    double progress = 0.0;             ///< of the reader, after it
-    double decode_s = 0.0;             ///< time it took
+    std::optional<ReplayEvent> event;  ///< empty at the end
+    double progress = 0.0;             ///< progress of the reader after the event, 0..1
+    double decode_s = 0.0;             ///< time to decode the event
 };
 
-/// The next event of `source`, which reads from `reader`. Throws what FieldSource::next() does.
+/// Decodes the next event of `source`, which reads from `reader`. Throws as FieldSource::next() does.
 Decoded decode_next(FieldSource& source, const RawlogReader& reader);
 
-/// Decodes in a thread of its own, a few events ahead. Neither the source nor its reader may be touched
-/// until the end, or an exception, has come, or this object is gone.
+/// Decodes in a thread of its own, a few events ahead. The source and its reader must not be used until
+/// next() has returned the end or thrown, or this object is destroyed.
 class DecodeAhead {
   public:
     DecodeAhead(FieldSource& source, const RawlogReader& reader);
@@ -25,7 +25,7 @@ class DecodeAhead {
     DecodeAhead(const DecodeAhead&) = delete;
     DecodeAhead& operator=(const DecodeAhead&) = delete;
 
-    /// As decode_next(), with the same exceptions after the same events. Not to be called after the end.
+    /// Returns or throws the same as decode_next() in the same order. Must not be called after the end.
     Decoded next();
 
   private:

@@ -8,8 +8,8 @@
 
 namespace flownav::io {
 
-/// A drive that is written as a gz rawlog of standard observations. The file appears under its name only when
-/// it is complete; a recording that is not completed leaves nothing behind. Everything throws OutputError.
+/// Writes a drive as a gz rawlog of standard observations. The file gets its name in complete(); without it
+/// the destructor removes the file. All functions throw OutputError.
 class DriveRecording {
   public:
     explicit DriveRecording(const std::filesystem::path& target, std::string camera_label = "CAMERA1");
@@ -17,11 +17,11 @@ class DriveRecording {
     DriveRecording(const DriveRecording&) = delete;
     DriveRecording& operator=(const DriveRecording&) = delete;
 
-    /// CObservationImage with calibration and camera pose.
+    /// Writes a CObservationImage with calibration and camera pose.
     void write(const Field& field);
-    /// CObservationOdometry ODOMETRY.
+    /// Writes a CObservationOdometry labelled ODOMETRY.
     void write_odometry(double timestamp_s, const Pose2& T_odom_robot);
-    /// CObservationRobotPose GROUND_TRUTH.
+    /// Writes a CObservationRobotPose labelled GROUND_TRUTH.
     void write_truth(double timestamp_s, const Pose2& T_world_robot);
 
     void complete();

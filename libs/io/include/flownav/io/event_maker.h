@@ -17,7 +17,7 @@
 
 namespace flownav::io {
 
-/// A pose of the robot's axis, projected on the ground where the source says so.
+/// Pose of the robot's axis, as recorded.
 struct PoseSample {
     enum class Source { Odometry, GroundTruth };
     Source source = Source::Odometry;
@@ -25,50 +25,49 @@ struct PoseSample {
     mrpt::math::TPose3D pose;
 };
 
-/// A field, or a pose, in the order in which they were observed.
+/// A field or a pose.
 using SensorEvent = std::variant<Field, PoseSample>;
 
-/// What was read, and what was left out and why.
+/// Counts of observations read, used and rejected.
 struct InputCounts {
-    std::uint64_t objects = 0;                          ///< of a rawlog; 0 where there is none
-    std::uint64_t images = 0;                           ///< of the camera's label
-    std::uint64_t fields = 0;                           ///< handed out
-    std::uint64_t odometry = 0;                         ///< handed out
-    std::uint64_t ground_truth = 0;                     ///< handed out
+    std::uint64_t objects = 0;                          ///< objects of a rawlog; 0 for other sources
+    std::uint64_t images = 0;                           ///< images with the camera's label
+    std::uint64_t fields = 0;                           ///< returned by next()
+    std::uint64_t odometry = 0;                         ///< odometry poses used
+    std::uint64_t ground_truth = 0;                     ///< ground truth poses used
     std::uint64_t ignored = 0;                          ///< observations of other labels and classes
     std::map<std::string, std::uint64_t> rejected;      ///< by reason, see EventMaker
-    std::map<std::string, std::uint64_t> warnings;      ///< used all the same: image_size_changed, ...
-    std::map<std::string, std::uint64_t> observations;  ///< everything read, by "class label"
+    std::map<std::string, std::uint64_t> warnings;      ///< used nevertheless: image_size_changed, ...
+    std::map<std::string, std::uint64_t> observations;  ///< all observations, by "class label"
 };
 
-/// Why `source`, read to its clean end, gave no field at all, and what to do.
+/// Message why `source`, read to its clean end, gave no field, and which key to set.
 std::string why_no_field(const InputCounts& counts, const std::string& source,
                          const std::string& camera_label);
 
-/// Turns observations into fields and poses: applies the calibration (ini over recording), converts colour
-/// to grey (also the intensity image of a CObservation3DRangeScan of the camera's label), splits woven
-/// frames, rejects what cannot be used and counts why: time_invalid, time_repeated, time_backwards,
-/// image_missing (external file), image_unreadable, image_empty, image_not_8bit; for poses odometry_... and
-/// ground_truth_... time_invalid, time_repeated, time_backwards and not_finite. Fields of unaltered grey
-/// images are views of the observation; nothing is copied. Times rise strictly within each kind of event.
+/// Turns observations into fields and poses: applies the calibration (ini over recording), converts colour to
+/// grey (also the intensity image of a CObservation3DRangeScan of the camera's label), splits woven frames,
+/// rejects unusable observations and counts the reasons: time_invalid, time_repeated, time_backwards,
+/// image_missing (external file), image_unreadable, image_empty, image_not_8bit; for poses time_invalid,
+/// time_repeated, time_backwards and not_finite with the prefix odometry_ or ground_truth_. Fields of 8-bit
+/// grey images are views that share the observation's pixels. Times rise strictly within each kind of event.
 class EventMaker {
   public:
     explicit EventMaker(const config::CameraConfig& camera) : camera_(camera), splitter_(camera.interlaced) {}
 
-    /// Takes an observation in; what it gives, if anything, waits for next(). Relative names of external
-    /// images refer to `images_directory`. Throws ConfigError: an image without calibration (names the keys
-    /// to set), or a camera pose that cannot be used (height not positive, looking up, roll or yaw over 10
-    /// degrees).
+    /// Converts an observation; next() returns the resulting events. Relative names of external images refer
+    /// to `images_directory`. Throws ConfigError: an image without calibration (names the keys to set), or an
+    /// unusable camera pose (height not positive, looking up, roll or yaw over 10 degrees).
     void consume(const mrpt::obs::CObservation::Ptr& observation,
                  const std::filesystem::path& images_directory);
 
-    /// After the last observation: the second field of a last woven frame.
+    /// Must be called after the last observation; completes the second field of a last woven frame.
     void finish() { hand_out(splitter_.finish()); }
 
-    /// What is ready, in its order; nothing: more observations are needed.
+    /// Next event in the order of observation; empty when more observations are needed.
     std::optional<SensorEvent> next();
 
-    /// Tells the counts how many objects of a rawlog were read so far.
+    /// Sets the number of rawlog objects read so far.
     void count_objects(std::uint64_t objects) { counts_.objects = objects; }
 
     const InputCounts& counts() const { return counts_; }
@@ -83,7 +82,7 @@ class EventMaker {
 
     config::CameraConfig camera_;
     InputCounts counts_;
-    std::map<std::string, double> last_time_s_;  ///< of each kind of event
+    std::map<std::string, double> last_time_s_;  ///< time of the last accepted event of each kind
     std::optional<CameraModel> last_camera_;
     std::deque<SensorEvent> waiting_;
     FieldSplitter splitter_;

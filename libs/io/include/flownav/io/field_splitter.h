@@ -8,28 +8,28 @@
 
 namespace flownav::io {
 
-/// Every second line of a woven frame as a field of its own (a view), with the camera of those lines.
+/// Returns the top or bottom field of a woven frame: a view of every second line, with the field's camera.
 Field field_of_frame(const Field& frame, bool bottom);
 
-/// Splits woven frames into their fields, the second one half a frame period after the first. The period is
-/// the median of the latest intervals, so that a dropped or an early frame does not displace the fields; it
-/// is known only with the frame after, and the second field waits for that. Frames that are not woven pass
+/// Splits woven frames into their fields; the second one lies half a frame period after the first. The period
+/// is the median of the latest intervals, so that a dropped or early frame does not displace the fields. The
+/// second field is returned with the next frame, when the interval is known. Frames that are not woven pass
 /// unchanged.
 class FieldSplitter {
   public:
     explicit FieldSplitter(config::Interlaced interlaced) : interlaced_(interlaced) {}
 
-    /// The fields that became complete with this frame; times must rise.
+    /// Returns the fields completed by this frame; times must rise.
     std::vector<Field> push(const Field& frame);
 
-    /// The field that still waits after the last frame; PAL's period when there was one frame only.
+    /// Returns the second field of the last frame, if any. Uses PAL's period when there was only one frame.
     std::vector<Field> finish();
 
   private:
     Field second_field(double period_s);
 
     config::Interlaced interlaced_;
-    std::optional<Field> second_;     ///< with its frame's time
+    std::optional<Field> second_;     ///< second field of the last frame, with the frame's time
     std::deque<double> intervals_s_;  ///< the latest intervals between frames
 };
 

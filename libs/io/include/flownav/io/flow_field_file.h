@@ -8,8 +8,8 @@
 
 namespace flownav::io {
 
-/// A gz rawlog of CObservationFlowField, one a field. Apart from result.rawlog, because MRPT's programs stop
-/// at a class they do not know. Everything throws OutputError when it cannot be written.
+/// Writes a gz rawlog with one CObservationFlowField per field. It is separate from result.rawlog because
+/// MRPT's programs stop at unknown classes. All functions throw OutputError.
 class FlowFieldFile {
   public:
     explicit FlowFieldFile(const std::filesystem::path& path) : file_(path) {}

@@ -6,9 +6,9 @@
 
 namespace flownav {
 
-/// FLOW_FIELD: the whole record of one field and the camera that took it. A class of this project: programs
-/// that do not know it stop reading a rawlog at the first one, so it belongs into files of its own; MRPT's
-/// tools read it with the plug-in. Serialized in versions; every version ever written can be read.
+/// FLOW_FIELD: the whole record of one field and its camera. Programs that do not know this class stop
+/// reading a rawlog at it, so it is kept in separate files; MRPT's tools read it with the plug-in. All
+/// versions of the serialization can be read.
 class CObservationFlowField : public mrpt::obs::CObservation {
     DEFINE_SERIALIZABLE(CObservationFlowField, flownav)
 
@@ -16,22 +16,23 @@ class CObservationFlowField : public mrpt::obs::CObservation {
     CObservationFlowField() = default;
 
     pipeline::Step step;
-    CameraModel camera;  ///< also the size of the image
+    CameraModel camera;  ///< also holds the size of the image
 
-    /// Camera on the robot, optical axes (x right, y down, z forward).
+    /// Pose of the camera on the robot, optical axes (x right, y down, z forward).
     void getSensorPose(mrpt::poses::CPose3D& pose) const override;
     void setSensorPose(const mrpt::poses::CPose3D& pose) override;
 
     void getDescriptionAsText(std::ostream& out) const override;
 
-    /// Columns of numbers separated by blanks: those of the field, then as many blocks and obstacle points as
-    /// the row says. Words are written as numbers that the header explains.
+    /// Text export as numbers separated by blanks: the columns of the field, among them the numbers of blocks
+    /// and obstacle points, then the blocks and the points. Enums are written as numbers that the header
+    /// explains.
     bool exportTxtSupported() const override { return true; }
     std::string exportTxtHeader() const override;
     std::string exportTxtDataRow() const override;
 };
 
-/// The observation of a field, with the time of its record.
+/// Makes the observation of a field, with the time stamp of the step.
 CObservationFlowField::Ptr flow_field_observation(const pipeline::Step& step, const CameraModel& camera);
 
 }  // namespace flownav

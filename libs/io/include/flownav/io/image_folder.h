@@ -7,20 +7,20 @@
 
 namespace flownav::io {
 
-/// How images without times of their own get them: from a file, else at a constant rate.
+/// Source of the time stamps of images: a file, else a constant rate.
 struct FrameTimes {
-    std::filesystem::path file;     ///< empty: look for times.txt and log.csv in and beside the folder
-    std::optional<double> rate_hz;  ///< set: no file is looked for
+    std::filesystem::path file;     ///< empty: times.txt or log.csv in the folder or its parent
+    std::optional<double> rate_hz;  ///< when set, no file is searched for
     double default_rate_hz = 25.0;
 };
 
-/// Times in seconds, one a row, for the images in the order of their names: the column named timestamp_s,
-/// timestamp, time_s or time of the header, or the first column when there is no header. Columns are
-/// separated by commas, semicolons or blanks. Throws InputError.
+/// Reads times in seconds, one per row, for the images in the order of their names: from the column named
+/// timestamp_s, timestamp, time_s or time, or from the first column when there is no header. Columns are
+/// separated by commas, semicolons or blanks. Throws InputError, also when the times do not rise.
 std::vector<double> read_times_file(const std::filesystem::path& file);
 
-/// The pictures (png, jpg, bmp, pgm, tif) of a folder in the order of their names; numbers in names count as
-/// numbers. Colour becomes grey.
+/// Pictures (png, jpg, bmp, pgm, tif) of a folder in the order of their names, with digits compared as
+/// numbers. Colour is converted to grey.
 class ImageFolder : public ImageSequence {
   public:
     ImageFolder(const std::filesystem::path& directory, config::CameraConfig camera, const FrameTimes& times);
@@ -28,7 +28,7 @@ class ImageFolder : public ImageSequence {
     std::optional<SequenceFrame> next() override;
     std::size_t size() const override { return images_.size(); }
 
-    /// Where the times come from, for people.
+    /// Description of the source of the times, for messages.
     const std::string& times_source() const { return times_source_; }
 
   private:

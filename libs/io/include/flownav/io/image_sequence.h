@@ -9,14 +9,14 @@
 
 namespace flownav::io {
 
-/// An image of a data set, and where the robot was when it was taken, if the data set knows.
+/// Image of a data set, and the robot's pose at its time when the data set has poses.
 struct SequenceFrame {
     Field field;
     std::optional<Pose2> T_start_robot;
 };
 
-/// The images of a data set, one after the other, with calibration, times that rise, and perhaps poses.
-/// Constructors throw InputError when the data set is not there or does not fit together.
+/// Images of a data set in order, with calibration, rising times and optional poses. Constructors throw
+/// InputError when the data set is missing or inconsistent.
 class ImageSequence {
   public:
     ImageSequence() = default;
@@ -24,13 +24,13 @@ class ImageSequence {
     ImageSequence(const ImageSequence&) = delete;
     ImageSequence& operator=(const ImageSequence&) = delete;
 
-    /// The next image that can be read, or nothing at the end.
+    /// Next readable image; empty at the end.
     virtual std::optional<SequenceFrame> next() = 0;
 
-    /// Number of images, as far as it is known beforehand; 0: unknown.
+    /// Expected number of images; 0: unknown.
     virtual std::size_t size() const = 0;
 
-    /// What could not be read, one sentence each.
+    /// Messages about images that could not be read, one sentence each.
     const std::vector<std::string>& problems() const { return problems_; }
 
   protected:

@@ -4,8 +4,8 @@
 
 namespace flownav::io {
 
-/// Why a path cannot be a rawlog to read: it does not exist, cannot be looked at, or is a folder. Empty: it
-/// can.
+/// Reason why a path cannot be read as a rawlog: it does not exist, is not accessible, or is a folder. Empty
+/// when it can.
 std::string problem_of_input(const std::filesystem::path& input);
 
 }  // namespace flownav::io

@@ -16,7 +16,7 @@ class KittiImages : public ImageSequence {
   protected:
     std::vector<std::filesystem::path> images_;
     std::vector<double> times_s_;
-    std::vector<Pose2> T_start_robot_;  ///< may be shorter, or empty
+    std::vector<Pose2> T_start_robot_;  ///< may have fewer poses than images, or none
     CameraModel camera_;                ///< without image size
 
   private:
@@ -24,8 +24,8 @@ class KittiImages : public ImageSequence {
 };
 
 /// A sequence of the KITTI odometry benchmark: DIR/sequences/SEQ/{image_0/*.png, calib.txt, times.txt} and,
-/// when there, DIR/poses/SEQ.txt. Its poses are those of camera 0 in its first image's frame; they become
-/// poses of the axis the car turns about, on the ground, with the mount given.
+/// optionally, DIR/poses/SEQ.txt. The poses of camera 0 in the frame of its first image are converted to
+/// poses of the axis the car turns about, on the ground, with `mount`.
 class KittiOdometry : public KittiImages {
   public:
     KittiOdometry(const std::filesystem::path& directory, const std::string& sequence,
@@ -34,12 +34,12 @@ class KittiOdometry : public KittiImages {
 
 /// A rectified drive of the KITTI raw data: DATEDIR/calib_cam_to_cam.txt and
 /// DATEDIR/DRIVE/image_0N/data/*.png, where DRIVE is the folder's name or the part of it between "drive_" and
-/// "_sync". The grey camera 0 is taken when it is there, else the lowest number. Times come from
-/// image_0N/timestamps.txt, or else from `rate_hz`; poses from oxts/data when it is there (its unit sits at
-/// the rear axle).
+/// "_sync". Uses the camera with the lowest number, grey camera 0 if present. Times come from
+/// image_0N/timestamps.txt, or else from `rate_hz`. Poses come from oxts/data if present; its GPS/IMU unit is
+/// taken to sit at the axis.
 class KittiRaw : public KittiImages {
   public:
-    /// `mount` is that of camera 0; the sideways offset of another camera is added from the calibration.
+    /// `mount`: mount of camera 0; the sideways offset of another camera is added from the calibration.
     KittiRaw(const std::filesystem::path& date_directory, const std::string& drive, double rate_hz,
              const CameraMount& mount);
 };

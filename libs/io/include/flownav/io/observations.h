@@ -13,25 +13,27 @@
 
 namespace flownav::io {
 
-/// FLOW_SCAN: the virtual scan of a finished cycle, horizontal, about the robot's axis on the ground. Only a
-/// beam that ends at an obstacle is valid. A bearing whose floor was confirmed is INVALID with the confirmed
-/// range in its range field, one without evidence is invalid with range 0: maps must not take invalid beams
-/// for free space (insertionOptions.considerInvalidRangesAsFreeSpace = false). MRPT's default does, as far as
-/// half of the valid range before it or of maxDistanceInsertion, whatever the beam or maxRange say.
+/// FLOW_SCAN: the virtual scan of a finished cycle, horizontal, about the robot's axis on the ground. Only
+/// beams that end at an obstacle are valid. A beam of confirmed floor is INVALID with the confirmed range in
+/// its range field; a beam without evidence is invalid with range 0. Maps must not take invalid beams for
+/// free space (insertionOptions.considerInvalidRangesAsFreeSpace = false): MRPT's default clears them up to
+/// half of the preceding valid range or of maxDistanceInsertion, independent of the beam's range and
+/// maxRange.
 mrpt::obs::CObservation2DRangeScan::Ptr scan_observation(const pipeline::Step& step, double range_max_m);
 
-/// FLOW_POINTS: the obstacle points of a finished cycle, robot frame; an empty cloud when there are none.
+/// FLOW_POINTS: the obstacle points of a finished cycle in the robot frame, in metres; an empty cloud when
+/// there are none.
 mrpt::obs::CObservationPointCloud::Ptr points_observation(const pipeline::Step& step);
 
-/// FLOW_ODOMETRY: the integrated pose, identity at the first field, with forward speed and turn rate where
-/// this field measured its motion.
+/// FLOW_ODOMETRY: the integrated pose, identity at the first field, with forward speed and turn rate when the
+/// field's status is Ok.
 mrpt::obs::CObservationOdometry::Ptr odometry_observation(const pipeline::Step& step);
 
-/// ODOMETRY: a copy of the robot's own, projected on the ground.
+/// ODOMETRY: the robot's own odometry, projected on the ground.
 mrpt::obs::CObservationOdometry::Ptr odometry_observation(const PoseSample& sample);
 
-/// The field as it was used: grey, one parity, with the calibration and camera pose that were used. The
-/// pixels are copied.
+/// Image of the field as used: grey, one parity, with the applied calibration and camera pose. Copies the
+/// pixels.
 mrpt::obs::CObservationImage::Ptr image_observation(const Field& field, const std::string& label);
 
 }  // namespace flownav::io

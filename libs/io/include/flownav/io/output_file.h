@@ -5,27 +5,23 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
+#include "flownav/io/errors.h"
+
 namespace flownav::io {
 
-/// Something could not be written; what() names the file or folder and the reason.
-struct OutputError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-/// Makes sure that `folder` exists. Throws OutputError.
+/// Creates `folder` unless it exists. Throws OutputError.
 void make_output_folder(const std::filesystem::path& folder);
 
-/// A file whose every write is checked. Throws OutputError when it cannot be opened, written or closed.
+/// File with checked writes. All functions throw OutputError when it cannot be opened, written or closed.
 class OutputFile {
   public:
     explicit OutputFile(std::filesystem::path path);
     void write(std::string_view bytes);
 
-    /// Flushes and closes. Without it the destructor closes, but then nobody learns about an error.
+    /// Flushes and closes the file. The destructor also closes it, but ignores errors.
     void close();
 
   private:
@@ -36,11 +32,11 @@ class OutputFile {
     std::unique_ptr<std::FILE, Closer> file_;
 };
 
-/// Writes a whole file at once.
+/// Writes a whole file. Throws OutputError.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// A gz file for MRPT's serialization whose every write, and the close, is checked; MRPT's own class swallows
-/// errors on close. The gz header carries no time, so that the same content gives the same bytes.
+/// Gz file for MRPT's serialization that checks every write and the close; MRPT's own class ignores errors on
+/// close. The gz header carries no time, so equal contents give equal bytes. Throws OutputError.
 class GzOutputFile : public mrpt::io::CStream {
   public:
     explicit GzOutputFile(std::filesystem::path path);
@@ -62,8 +58,8 @@ class GzOutputFile : public mrpt::io::CStream {
     uint64_t written_ = 0;
 };
 
-/// Appends one object as a rawlog has it. An archive on the file would wrap the OutputError of a full disk
-/// into an exception of MRPT's own.
+/// Appends one object in the format of a rawlog. Throws OutputError; an MRPT archive on the file would wrap
+/// it into another exception.
 void write_object(GzOutputFile& file, const mrpt::serialization::CSerializable& object);
 
 }  // namespace flownav::io

@@ -4,8 +4,8 @@
 
 namespace flownav::io {
 
-/// A picture as cv::imread() gives it with these flags; empty, and without OpenCV's own warnings, when the
-/// file is missing or no picture.
+/// Reads a picture as cv::imread() with these flags, but without OpenCV's warnings. Empty when the file is
+/// missing or not a picture.
 cv::Mat read_picture(const std::filesystem::path& file, int flags);
 
 }  // namespace flownav::io

@@ -23,8 +23,8 @@ struct RecordingCounts {
 };
 
 /// Writes a sequence as a gz rawlog of standard observations: every image with its calibration and camera
-/// pose, GROUND_TRUTH where there are poses. The file appears under its name only when it is complete. Throws
-/// OutputError, and leaves nothing behind then.
+/// pose, and GROUND_TRUTH for every pose. The file gets its name when it is complete and is removed on
+/// failure. Throws OutputError, and InputError when no image can be read.
 RecordingCounts write_recording(ImageSequence& sequence, const RecordingOptions& options);
 
 }  // namespace flownav::io

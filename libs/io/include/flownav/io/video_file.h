@@ -7,7 +7,8 @@
 
 namespace flownav::io {
 
-/// The images of a video, made grey. Image i was taken at i / rate_hz; without a rate the video's own counts.
+/// Images of a video, converted to grey. Image i has the time i / rate_hz; without `rate_hz` the video's own
+/// rate is used. The constructor throws InputError.
 class VideoFile : public ImageSequence {
   public:
     VideoFile(const std::filesystem::path& file, config::CameraConfig camera, std::optional<double> rate_hz);

@@ -8,24 +8,24 @@ namespace flownav::io {
 
 class VideoEncoder;
 
-/// A video (H.264 in MP4) whose failures are told. FFmpeg's libraries are loaded, with libflownav-video.so,
-/// when the first picture is written: a program that writes none needs neither their memory nor their time.
+/// Video (H.264 in MP4) with checked writing. FFmpeg's libraries are loaded, with libflownav-video.so, when
+/// the first picture is written, so that programs that write none do not load them.
 class VideoOutputFile {
   public:
-    /// Throws OutputError when `file` cannot be written.
+    /// Creates `file`. Throws OutputError when it cannot be written.
     VideoOutputFile(std::filesystem::path file, double rate_hz);
     ~VideoOutputFile();
     VideoOutputFile(const VideoOutputFile&) = delete;
     VideoOutputFile& operator=(const VideoOutputFile&) = delete;
 
-    /// Three channels, all pictures of the same size, width and height even. Throws OutputError when there is
-    /// no encoder.
+    /// Appends a picture of three channels; all pictures have the same size, with even width and height.
+    /// Throws OutputError when there is no encoder.
     void write(const cv::Mat& picture);
 
-    /// Completes the file. Throws OutputError when it did not become a whole video, as on a full disk.
+    /// Completes the file. Throws OutputError when the video is incomplete, as on a full disk.
     void close();
 
-    /// Pictures written so far.
+    /// Number of pictures written so far.
     std::uint64_t pictures() const { return pictures_; }
     const std::filesystem::path& path() const { return path_; }
 

@@ -19,7 +19,7 @@ inline double distance_to_segment_m(const Eigen::Vector2d& p, const Eigen::Vecto
     return (p - a - share * along).norm();
 }
 
-/// Distance of a point to the outline of a polygon: < 0 inside.
+/// Distance of a point to the outline of a polygon, negative inside.
 inline double signed_distance_m(const Polygon& polygon, const Eigen::Vector2d& p) {
     double distance = std::numeric_limits<double>::infinity();
     bool inside = false;
@@ -33,7 +33,7 @@ inline double signed_distance_m(const Polygon& polygon, const Eigen::Vector2d& p
     return inside ? -distance : distance;
 }
 
-/// > 0 when the corners go round counter-clockwise.
+/// Area of a polygon: positive when its corners run counter-clockwise.
 inline double signed_area_m2(const Polygon& polygon) {
     double twice = 0.0;
     for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++)
@@ -41,7 +41,7 @@ inline double signed_area_m2(const Polygon& polygon) {
     return twice / 2;
 }
 
-/// Farthest corner from the origin: the radius a robot needs to turn on the spot.
+/// Distance of the farthest corner from the origin: the radius of a turn on the spot.
 inline double circumscribed_radius_m(const Polygon& polygon) {
     double radius = 0.0;
     for (const Eigen::Vector2d& corner : polygon) radius = std::max(radius, corner.norm());

@@ -5,8 +5,8 @@
 
 namespace flownav {
 
-/// Moves what is in front of the pivot to the begin of [first, last); returns where the rest begins. Every
-/// value is moved, none is jumped over: on numbers in no order a processor guesses half of the jumps wrong.
+/// Moves the values for which `is_in_front` holds to the begin of [first, last); returns the begin of the
+/// others. Branch-free: avoids mispredicted branches on random input.
 template <class InFront>
 double* partition_without_branches(double* first, double* last, InFront is_in_front) {
     double* rest = first;
@@ -19,8 +19,8 @@ double* partition_without_branches(double* first, double* last, InFront is_in_fr
     return rest;
 }
 
-/// The value that would stand at `k` were `values` sorted; reorders them. What std::nth_element does, four
-/// times as fast. k < size; no NaN.
+/// Returns the k-th smallest value (k from 0); reorders `values`. Same result as std::nth_element, four times
+/// as fast. Requires k < size and no NaN.
 inline double nth_smallest(std::vector<double>& values, std::size_t k) {
     constexpr std::ptrdiff_t few = 16;
     double* first = values.data();
@@ -36,7 +36,7 @@ inline double nth_smallest(std::vector<double>& values, std::size_t k) {
             last = rest;
         } else if (first < rest) {
             first = rest;
-        } else {  // the pivot is the smallest there is
+        } else {  // no value is smaller than the pivot
             first = partition_without_branches(first, last, [&](double v) { return v == pivot; });
             if (nth < first) return pivot;
         }

@@ -3,9 +3,9 @@
 
 namespace flownav::motion {
 
-/// What the rotation estimate assumes.
+/// Unknowns of the rotation estimate.
 enum class MotionModel {
-    Yaw,       ///< as [P]
+    Yaw,       ///< yaw only, as in [P]
     YawPitch,  ///< yaw and pitch rate from a line fit of omega_i over x/(a y + b)
 };
 

@@ -11,45 +11,46 @@
 
 namespace flownav::motion {
 
-/// Angles of a mount, in the order of the unknowns: pitch, roll, yaw; radians.
+/// Angles of a mount in rad, in the order pitch, roll, yaw.
 using MountAngles = Eigen::Vector3d;
 
-/// The mount with its angles changed by `correction`.
+/// Returns the mount with `correction` added to its angles.
 CameraMount corrected(CameraMount mount, const MountAngles& correction);
 
-/// Normal equations of the error of a camera's angles: information * correction = gradient. Those of several
-/// pairs of fields add up.
+/// Normal equations of the correction of a camera's angles: information * correction = gradient. The
+/// equations of several pairs of fields are added.
 struct PoseEquations {
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< 1/rad^2
     MountAngles gradient = MountAngles::Zero();             ///< 1/rad
     Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();      ///< sum of gradient * gradient^T of the pairs
-    /// Gradient by strip of the floor, from far to near; then what matching errors in u and v would make.
+    /// Gradient of each of 8 strips of the floor, from far to near; the last two columns are the gradients of
+    /// a systematic matching error in u and in v.
     Eigen::Matrix<double, 3, 10> strips = Eigen::Matrix<double, 3, 10>::Zero();
     int pairs = 0;
 
     PoseEquations& operator+=(const PoseEquations& other);
 };
 
-/// How calm the robot drives: deviation of the camera's pitch and roll from one field of a pair to the other.
-/// What a drive gains in pitch it loses again, so the mean is zero; the calmer, the more a pair tells.
+/// Standard deviation of the change of the camera's pitch and roll between the fields of a pair. The mean
+/// change over a drive is zero; infinity means no prior.
 struct PitchPrior {
     double pitch_rad = std::numeric_limits<double>::infinity();
     double roll_rad = std::numeric_limits<double>::infinity();
 };
 
-/// How one pair of fields fits a ground plane seen by a camera of the given mount.
+/// Fit of one pair of fields to a ground plane seen by a camera of the given mount.
 struct PairFit {
-    PoseEquations equations;  ///< no pairs: too few vectors of the near ground
-    Eigen::Matrix3d H_newer_reference = Eigen::Matrix3d::Identity();  ///< maps ground between level cameras
-    double noise_factor = 1.0;  ///< how much larger the residuals are than the vectors' deviations
-    double pitch_rad = 0.0;     ///< from one field to the other, > 0 raises the view
-    double roll_rad = 0.0;      ///< > 0 turns the image clockwise
-    int near_vectors = 0;       ///< where the near ground is expected
-    int close_vectors = 0;      ///< of these: within a pixel or so
-    int ground_vectors = 0;     ///< that agree
+    PoseEquations equations;  ///< pairs = 0: too few vectors of the near ground
+    Eigen::Matrix3d H_newer_reference = Eigen::Matrix3d::Identity();  ///< maps level rays of the ground
+    double noise_factor = 1.0;  ///< ratio of the residuals to the vectors' standard deviations
+    double pitch_rad = 0.0;     ///< change from reference to newer field, > 0 raises the view
+    double roll_rad = 0.0;      ///< change from reference to newer field, > 0 turns the image clockwise
+    int near_vectors = 0;       ///< vectors where the near ground is expected
+    int close_vectors = 0;      ///< near vectors within 3.5 standard deviations of the plane
+    int ground_vectors = 0;     ///< near vectors with a weight in the fit
 };
 
-/// a y + b from which on the floor counts as near: what lies farther away is seldom nothing but floor.
+/// Smallest a y + b of the near ground. Farther parts of the image often show other objects than floor.
 double near_below_horizon(const CameraModel& camera);
 
 /// Working memory of fit_pair().
@@ -57,14 +58,15 @@ struct PoseScratch {
     std::vector<double> values;
 };
 
-/// Least squares for the angles of the camera from one pair of fields, with the pair's own turn, pitch, roll
-/// and travel eliminated: what is left is the pattern of the near floor's flow, above all the ratio of near
-/// and far. Vectors that do not move like the floor lose their weight (biweight). `motion` is the start.
+/// Sets up the least squares equations of the camera's angles from one pair of fields. The pair's own turn,
+/// pitch, roll and travel are unknowns as well and are eliminated. Vectors that do not move like the floor
+/// get no weight (biweight). `motion` is the start of the iteration. The result has no pairs when there are
+/// too few near vectors or the motion is not determined.
 PairFit fit_pair(const std::vector<RayFlow>& rays, const CameraModel& camera, const EgoMotion& motion,
                  Geometry geometry, const PitchPrior& pitch_prior, PoseScratch& scratch);
 
-/// Correction of the angles, and the standard deviation of each; an angle that the pairs do not determine
-/// stays, with a deviation near `unknown_angle_rad`.
+/// Correction of the angles and its standard deviation. An angle that the pairs do not determine has a
+/// correction near 0 and a deviation near `unknown_angle_rad`.
 struct PoseCorrection {
     MountAngles correction_rad = MountAngles::Zero();
     MountAngles sigma_rad = MountAngles::Zero();
@@ -74,16 +76,15 @@ constexpr double unknown_angle_rad = 0.09;  ///< 5 degrees
 
 PoseCorrection solve(const PoseEquations& equations);
 
-/// Standard deviation that comes of vectors which are wrong alike in every pair, as the matching or the lens
-/// makes them: from how strips of the floor, from near to far, contradict each other, and from an error of a
-/// few hundredths of a pixel that grows from far to near. Needs equations at the solution, where the
-/// correction is zero.
+/// Standard deviation of the angles in rad by systematic errors of matching or lens, which are equal in every
+/// pair. Combines the disagreement of the floor's strips with an error of a few hundredths of a pixel that
+/// grows from far to near. The equations must be those at the solution, where the correction is zero.
 MountAngles systematic_sigma_rad(const PoseEquations& equations);
 
-/// Which of pitch, roll and yaw are unknown; the others are taken as right.
+/// True for each of pitch, roll and yaw that is estimated; the others keep their values.
 using AngleMask = std::array<bool, 3>;
 
-/// The equations of some of the angles.
+/// Returns the equations of the unknown angles only.
 PoseEquations select(const PoseEquations& equations, const AngleMask& unknown);
 
 }  // namespace flownav::motion

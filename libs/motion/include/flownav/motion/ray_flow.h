@@ -7,26 +7,26 @@
 
 namespace flownav::motion {
 
-/// A measured vector on the normalised plane: its ends are mapped by the cameras of their own fields, which
-/// takes care of field parity, lens distortion and roll.
+/// Maps a measured vector to the normalised plane. Each end is mapped by the camera of its own field, which
+/// compensates field parity, lens distortion and roll.
 RayFlow ray_flow(const FlowVector& vector, const RayMapper& reference, const RayMapper& newer,
                  Geometry geometry);
 
-/// The same of a vector whose begin is known to lie at `begin` on the reference's plane.
+/// Overload for a vector whose begin is already mapped: `begin` lies on the reference's normalised plane.
 RayFlow ray_flow(const FlowVector& vector, const Eigen::Vector2d& begin, const RayMapper& reference,
                  const RayMapper& newer, Geometry geometry);
 
-/// What is known about a motion beforehand: rates times the time from the reference to the newer field.
+/// Predicted motion from the reference to the newer field: rates times the time between them.
 struct MotionPrediction {
     double omega_rad = 0.0;
     double pitch_rad = 0.0;
     double forward_m = 0.0;
     double chord_rad = 0.0;  ///< see EgoMotion
-    /// How far the true turn can be from omega_rad when nothing unforeseen happens; infinite: anywhere.
+    /// Largest deviation of the true turn from omega_rad in regular motion; infinite: no limit.
     double omega_tolerance_rad = std::numeric_limits<double>::infinity();
 };
 
-/// Eq. (3) for points of the ground, evaluated at the mid-point of the vector itself.
+/// Eq. (3) for points of the ground, evaluated at the mid-point of the resulting vector.
 class GroundFlow {
   public:
     GroundFlow(const CameraMount& mount, const MotionPrediction& motion)
@@ -35,10 +35,10 @@ class GroundFlow {
           omega_rad_(motion.omega_rad),
           pitch_rad_(motion.pitch_rad) {}
 
-    /// `at`: in the reference.
+    /// Returns the flow of the ground point seen at `at` in the reference.
     Eigen::Vector2d operator()(const Eigen::Vector2d& at) const {
         Eigen::Vector2d flow = Eigen::Vector2d::Zero();
-        for (int i = 0; i < 3; ++i) {  // the mid-point depends on the vector: three rounds settle it
+        for (int i = 0; i < 3; ++i) {  // fixed-point iteration: the mid-point depends on the vector
             const Eigen::Vector2d mid = at + flow / 2;
             // Eq. (3)
             flow = plane_.ground_inverse_depth(mid) * plane_.e(mid, travel_) + omega_rad_ * plane_.h(mid) +

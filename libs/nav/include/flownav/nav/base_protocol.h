@@ -9,8 +9,8 @@
 
 namespace flownav::nav {
 
-/// The lines between flownav and the program of a base; share/doc/robot.md documents them. Numbers are
-/// decimal, with a point; seconds, metres, radians.
+/// The lines exchanged with the program of a base; share/doc/robot.md documents them. Numbers are decimal,
+/// with a point; units are seconds, metres, radians.
 namespace base_protocol {
 
 constexpr int version = 1;
@@ -18,13 +18,13 @@ constexpr std::size_t line_max = 200;  ///< bytes, without the newline
 
 struct Hello {
     int version = 0;
-    int timeout_ms = 0;  ///< the base stops by itself after so long without a command; 0: from flownav
+    int timeout_ms = 0;  ///< the base stops by itself after this time without a command; 0: sent by flownav
 };
 struct Drive {
     MotionCommand command;
     long sequence = 0;
 };
-struct Stopped {};  ///< the base stopped by itself: no command came in time
+struct Stopped {};  ///< the base stopped by itself because no command came in time
 struct Complaint {
     std::string text;
 };
@@ -35,7 +35,8 @@ struct Malformed {
 
 using Line = std::variant<Hello, Drive, WheelReading, Stopped, Complaint, Bye, Malformed>;
 
-/// A line without its newline (a trailing \r does no harm). Never throws: what cannot be read is Malformed.
+/// Parses a line without its newline (a trailing \r is ignored). Never throws: an unreadable line is
+/// Malformed.
 Line parse(std::string_view line);
 
 std::string text(const Hello& hello);
@@ -47,15 +48,15 @@ std::string text(const Bye& bye);
 
 }  // namespace base_protocol
 
-/// Cuts a stream of bytes into lines.
+/// Splits a stream of bytes into lines.
 class LineBuffer {
   public:
     void add(std::string_view bytes) { bytes_ += bytes; }
 
-    /// The next whole line, without its newline; empty: there is none yet.
+    /// The next complete line, without its newline; empty when there is none yet.
     std::optional<std::string> next();
 
-    /// More bytes without a newline than any line has: this is something else.
+    /// True when the bytes without a newline exceed line_max: the peer speaks another protocol.
     bool is_overlong() const {
         return bytes_.size() > base_protocol::line_max && bytes_.find('\n') == std::string::npos;
     }

@@ -7,17 +7,12 @@
 #include "flownav/core/pose2.h"
 #include "flownav/core/robot_model.h"
 #include "flownav/nav/ground_memory.h"
+#include "flownav/nav/guard_params.h"
 #include "flownav/nav/stopping_path.h"
 
 namespace flownav::nav {
 
-struct CollisionCheckerParams {
-    double period_s = 0.06;     ///< a command is in force for so long at least
-    double touch_m = 0.02;      ///< distance that is kept to obstacles, even when crawling,
-    double margin_s = 0.1;      ///< and what the fastest point of the outline moves in this time
-    double crawl_mps = 0.1;     ///< fastest point of the outline of a robot that crawls
-    double unseen_max_m = 0.1;  ///< of the outline may pass over unseen ground and it still counts as seen
-};
+struct ContactRule;
 
 /// A cell of something that stands there.
 struct NearObstacle {
@@ -50,17 +45,17 @@ class CollisionChecker {
                       const MotionCommand& motion) const;
 
     /// `sent`: the commands before; the candidate is in force for `hold_s`.
-    Forecast forecast(const GroundMemory& ground, const Surroundings& now, const std::deque<TimedCommand>& sent,
-                    const MotionCommand& candidate, double hold_s) const;
+    Forecast forecast(const GroundMemory& ground, const Surroundings& now,
+                      const std::deque<TimedCommand>& sent, const MotionCommand& candidate,
+                      double hold_s) const;
 
     /// Of the fastest point of the outline, at most.
     double outline_mps(const MotionCommand& command) const;
 
   private:
     double reach_m(const MotionCommand& motion) const;
-    double margin_m(const Surroundings& now, const NearObstacle& obstacle,
-                    const MotionCommand& candidate) const;
-    bool touches(const Surroundings& now, const Pose2& T_robot_then, const MotionCommand& candidate,
+    ContactRule rule_for(const Surroundings& now, const MotionCommand& candidate) const;
+    bool touches(const Surroundings& now, const Pose2& T_robot_then, const ContactRule& rule,
                  Eigen::Vector2d& where_m) const;
     bool is_unseen(const GroundMemory& ground, const Surroundings& now, const Pose2& T_robot_then) const;
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "flownav/core/robot_model.h"
+#include "flownav/mapping/occupancy_limits.h"
 #include "flownav/nav/footprint_field.h"
 
 namespace flownav::nav {
@@ -13,18 +14,12 @@ namespace flownav::nav {
 /// What a cell of a map means to a robot that wants to drive over it.
 enum class CellKind : std::uint8_t { Free, Unknown, Weak, Occupied };
 
-/// Limits in probability of being FREE.
-struct CellLimits {
-    double occupied = 0.3;  ///< below: an obstacle
-    double weak = 0.47;     ///< below: perhaps an obstacle
-    double seen = 0.53;     ///< above: ground that has been seen; between: unknown
-};
-
 /// Kind of every cell, row by row as in the map.
-std::vector<CellKind> kinds_of(const mrpt::maps::COccupancyGridMap2D& map, const CellLimits& limits);
+std::vector<CellKind> kinds_of(const mrpt::maps::COccupancyGridMap2D& map,
+                               const mapping::OccupancyLimits& limits);
 
 struct CollisionFreeParams {
-    CellLimits limits;
+    mapping::OccupancyLimits limits;
     double length_m = 4.0;         ///< how far to look
     double margin_m = 0.03;        ///< nearer than this to the middle of a cell is touching it
     double bumper_m = 0.4;         ///< unknown ground within this way does not count: no camera sees it
@@ -40,7 +35,9 @@ struct CollisionFreeDistance {
 /// Free way of a robot along a steady command, forward, backward or turning on the spot (then up to half a
 /// turn). The map is in the robot's frame; what lies outside is unknown. What the robot stands beside at the
 /// beginning only counts once it comes nearer to it.
-CollisionFreeDistance collision_free_distance(const FootprintField& field, const mrpt::maps::COccupancyGridMap2D& map,
-                 const MotionCommand& command, const CollisionFreeParams& params);
+CollisionFreeDistance collision_free_distance(const FootprintField& field,
+                                              const mrpt::maps::COccupancyGridMap2D& map,
+                                              const MotionCommand& command,
+                                              const CollisionFreeParams& params);
 
 }  // namespace flownav::nav

@@ -10,23 +10,23 @@
 
 namespace flownav::nav {
 
-/// The robot as MRPT's navigators see it: a situation in, a command out. Nothing here moves anything.
-///
-/// Obstacles are the occupied cells of the local map, save those that touch the footprint already: whoever
-/// drives keeps from coming nearer to them. When the obstacles are not known, senseObstacles() fails and the
-/// navigator stops.
+/// The robot as MRPT's navigators see it: takes a situation, returns a command, moves no hardware. Obstacles
+/// are the occupied cells of the local map, except those that touch the footprint already; the caller must
+/// keep the robot from approaching these. Without known obstacles senseObstacles() fails and the navigator
+/// stops.
 class GridRobot : public mrpt::nav::CRobot2NavInterface {
   public:
     /// `margin_m`: cells nearer to the footprint are left out. `watchdog` may be null.
-    GridRobot(const RobotModel& robot, const CellLimits& limits, double margin_m, WatchdogSink* watchdog);
+    GridRobot(const RobotModel& robot, const mapping::OccupancyLimits& limits, double margin_m,
+              WatchdogSink* watchdog);
 
     /// The map of the situation must live until the next call.
     void see(const Situation& situation);
     const Situation& situation() const { return situation_; }
 
-    /// What the navigator told since see(): the last command stands until a new one comes.
+    /// The navigator's last command since see(); it holds until the next one.
     const MotionCommand& command() const { return command_; }
-    /// Whether the navigator stopped because it found no way or had no obstacles to look at.
+    /// True when the navigator stopped because it found no way or had no obstacle data.
     bool emergency_stop() const { return emergency_stop_; }
 
     bool getCurrentPoseAndSpeeds(mrpt::math::TPose2D& pose, mrpt::math::TTwist2D& velocity_map,
@@ -57,7 +57,7 @@ class GridRobot : public mrpt::nav::CRobot2NavInterface {
 
   private:
     RobotModel robot_;
-    CellLimits limits_;
+    mapping::OccupancyLimits limits_;
     double margin_m_;
     FootprintField field_;
     WatchdogSink* watchdog_;

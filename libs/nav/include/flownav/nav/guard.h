@@ -12,30 +12,14 @@
 #include "flownav/core/sensor_report.h"
 #include "flownav/nav/collision_checker.h"
 #include "flownav/nav/ground_memory.h"
+#include "flownav/nav/guard_params.h"
 #include "flownav/nav/guard_reason.h"
+#include "flownav/nav/jump_detector.h"
 #include "flownav/nav/odometry_watch.h"
 #include "flownav/nav/sensor_watch.h"
 #include "flownav/nav/stopping_path.h"
 
 namespace flownav::nav {
-
-struct GuardParams {
-    SensorWatchParams sensor;
-    OdometryWatchParams odometry;
-    GroundMemoryParams ground;
-    CollisionCheckerParams collision_checker;
-    bool needs_fields = true;   ///< false: the obstacles come from another sensor, only the map is watched
-    double map_stale_s = 1.5;   ///< age of the newest local map
-    double silent_s = 0.3;      ///< without a proposal; longer than the navigator's period
-    double resume_s = 0.4;      ///< everything must be well for so long before the robot moves again
-    double crawl_max_m = 0.6;   ///< way over unseen ground without seeing any new
-    int new_cells = 8;          ///< free cells of one map that are new ground
-    double turn_free_s = 3.0;   ///< a standing robot with a blind sector may turn on the spot after so long
-    double probe_wait_s = 1.0;  ///< first pause of a robot whose odometry and flow disagree; doubles,
-    double probe_max_s = 8.0;   ///< up to this
-    double log_quiet_s = 0.3;   ///< a milder verdict is logged when it has lasted so long
-    std::size_t events_max = 10000;
-};
 
 /// What the motors are told, and why it is not what the navigator wants.
 struct SafetyDecision {
@@ -97,6 +81,7 @@ class Guard {
     GuardParams params_;
     SensorWatch sensor_;
     OdometryWatch odometry_;
+    JumpDetector pose_jumps_;
     GroundMemory ground_;
     CollisionChecker collision_checker_;
     std::optional<TimedCommand> proposal_;

@@ -11,11 +11,11 @@ namespace flownav::nav {
 
 class LaneLog;
 
-/// choose_lane() as one of MRPT's navigators, a sibling of CReactiveNavigationSystem: single targets and way
-/// points, states, events and watchdog are those of CWaypointsNavigator.
+/// choose_lane() as an MRPT navigator, a sibling of CReactiveNavigationSystem. Single targets, way points,
+/// states, events and watchdog are inherited from CWaypointsNavigator.
 class CLaneNavigationSystem : public mrpt::nav::CWaypointsNavigator {
   public:
-    /// The robot must outlive it. `navlog_dir`: where files for navlog-viewer go; empty: none.
+    /// The robot must outlive this object. `navlog_dir`: folder of the files for navlog-viewer; empty: none.
     CLaneNavigationSystem(GridRobot& robot, LaneTables tables, const LaneParams& params,
                           const std::string& navlog_dir = "");
     ~CLaneNavigationSystem() override;
@@ -24,7 +24,7 @@ class CLaneNavigationSystem : public mrpt::nav::CWaypointsNavigator {
 
     void initialize() override {}
 
-    /// Of the last step; lanes are empty before the first one.
+    /// Decision of the last step; its lanes are empty before the first one.
     const LaneDecision& last_decision() const { return decision_; }
 
   protected:

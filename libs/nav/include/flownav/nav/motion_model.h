@@ -1,12 +1,8 @@
 #pragma once
 
-#include "flownav/core/pose2.h"
-#include "flownav/core/robot_model.h"
+#include "flownav/core/unicycle.h"
 
 namespace flownav::nav {
-
-/// Pose after moving with a steady command for `time_s`, from the identity.
-Pose2 pose_after(const MotionCommand& command, double time_s);
 
 /// Way a robot that moves with `v_mps` needs until it stands: the delay of the command, and braking.
 double stopping_distance_m(const RobotModel& robot, double v_mps);

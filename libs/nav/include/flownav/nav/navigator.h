@@ -11,7 +11,7 @@
 
 namespace flownav::nav {
 
-/// What a navigator may look at when it decides. All poses are in the frame of the robot's odometry, called
+/// The input of a decision. All poses are in the frame of the robot's odometry, called
 /// `map` here. Cells speak of the probability of being FREE; 0.5 is unknown.
 struct Situation {
     double time_s = 0.0;
@@ -22,16 +22,16 @@ struct Situation {
     bool stop_at_waypoint = true;  ///< false: the way point is on the way to others, no need to slow down
 };
 
-/// What a navigator wants the robot to do.
+/// The output of a decision.
 struct Decision {
     MotionCommand command;
     double free_m = 0.0;  ///< way along the commanded curve that is known to hold no obstacle
     bool stuck = false;   ///< no way toward the way point is open
-    std::string why;      ///< in a few words, for the log
+    std::string why;      ///< reason in a few words, for the log
 };
 
-/// A local navigator: drives toward ONE way point around what the local map shows. `lanes` and `reactive` are
-/// two of them.
+/// A local navigator: drives toward ONE way point around the obstacles of the local map. make_navigator.h has
+/// the registry of navigators.
 class Navigator {
   public:
     Navigator() = default;
@@ -39,7 +39,7 @@ class Navigator {
     Navigator(const Navigator&) = delete;
     Navigator& operator=(const Navigator&) = delete;
 
-    /// Decides what to do next on the way to `waypoint_m` (map frame). Called every 200 ms or so.
+    /// Decides the next command on the way to `waypoint_m` (map frame). Called every 200 ms or so.
     virtual Decision decide(const Situation& situation, const Eigen::Vector2d& waypoint_m) = 0;
 };
 

@@ -6,30 +6,19 @@
 #include "flownav/core/pose2.h"
 #include "flownav/core/robot_model.h"
 #include "flownav/core/sensor_report.h"
+#include "flownav/nav/guard_params.h"
 #include "flownav/nav/guard_reason.h"
+#include "flownav/nav/jump_detector.h"
 
 namespace flownav::nav {
-
-struct OdometryWatchParams {
-    double window_s = 1.5;       ///< over which flow and wheels are compared
-    double way_m = 0.1;          ///< by which they may differ,
-    double way_share = 0.25;     ///< and by this share of the way
-    double turn_rad = 0.12;      ///< likewise of the turn
-    double turn_share = 0.2;     ///< likewise
-    double jump_m = 0.05;        ///< a step of the wheels' pose may be longer than the robot can drive
-    double jump_rad = 0.1;       ///< or turn, by this
-    double silent_s = 0.5;       ///< without odometry, once there was some
-    double hold_s = 1.0;         ///< a jump is remembered for so long
-    double ahead_s = 0.1;        ///< time stamps may be so far in the future
-    int frozen_fields = 3;       ///< in a row are the same image once more, while
-    double frozen_way_m = 0.01;  ///< the outline moves so far by the wheels
-};
 
 /// Whether flow and wheels tell the same motion.
 class OdometryWatch {
   public:
     OdometryWatch(const RobotModel& robot, const OdometryWatchParams& params)
-        : robot_(robot), params_(params), radius_m_(circumscribed_radius_m(robot.footprint_m)) {}
+        : params_(params),
+          jumps_(robot, params.jump_m, params.jump_rad),
+          radius_m_(circumscribed_radius_m(robot.footprint_m)) {}
 
     void odometry(double time_s, const Pose2& T_odom_robot);
     void sensed(const SensorReport& report);
@@ -61,8 +50,8 @@ class OdometryWatch {
     void count_repeated(const SensorReport& report);
     Fault contradiction(const std::deque<Pair>& pairs, double free, double share, const char* what) const;
 
-    RobotModel robot_;
     OdometryWatchParams params_;
+    JumpDetector jumps_;
     double radius_m_;
     std::deque<Stamped> wheels_;
     std::deque<Pair> turns_;

@@ -6,20 +6,20 @@
 #include <vector>
 
 #include "flownav/core/robot_model.h"
+#include "flownav/mapping/occupancy_limits.h"
 
 namespace flownav::nav {
 
 struct PlanParams {
-    double margin_m = 0.07;     ///< kept beyond the robot's half width, whatever the detour
-    double comfort_m = 0.3;     ///< ways nearer than this to an obstacle, beyond the margin, cost more
-    double comfort_cost = 6.0;  ///< of a metre right at the margin, in metres
-    double unknown_cost = 1.5;  ///< of a metre through unseen ground, in metres
-    double p_occupied = 0.45;   ///< cells less likely FREE than this are obstacles
+    double margin_m = 0.07;           ///< kept beyond the robot's half width, whatever the detour
+    double comfort_m = 0.3;           ///< ways nearer than this to an obstacle, beyond the margin, cost more
+    double comfort_cost = 6.0;        ///< of a metre right at the margin, in metres
+    double unknown_cost = 1.5;        ///< of a metre through unseen ground, in metres
+    mapping::OccupancyLimits limits;  ///< of the map
     std::vector<Eigen::Vector2d> avoid_m;  ///< places of the map where the robot got stuck,
     double avoid_radius_m = 0.4;           ///< nearer to one than this
     double avoid_cost = 8.0;               ///< a metre costs so much more, in metres; again for each
-    double bold_margin_m = 0.03;           ///< when there is no way otherwise; then also
-    double p_surely_occupied = 0.25;       ///< only cells less likely free than this
+    double bold_margin_m = 0.03;           ///< when there is no way otherwise
     double area_margin_m = 6.0;            ///< how far beside start, goal and map a way may lead
     double area_max_m = 200.0;             ///< edge of the planned area
     double look_near_m = 0.5;              ///< the way point is at least this far along the path

@@ -5,6 +5,7 @@
 
 #include "flownav/core/pose2.h"
 #include "flownav/core/robot_model.h"
+#include "flownav/nav/jump_detector.h"
 
 namespace flownav::nav {
 
@@ -14,8 +15,7 @@ namespace flownav::nav {
 class PoseFusion {
   public:
     /// `start`: pose of the robot in the map when the first odometry arrives. `robot`: how fast it can move.
-    explicit PoseFusion(const RobotModel& robot, const Pose2& start = {})
-        : robot_(robot), T_map_odom_(start) {}
+    explicit PoseFusion(const RobotModel& robot, const Pose2& start = {});
 
     /// A pose of the wheels, in time order. The first one becomes the origin of their frame; a step that no
     /// robot can make counts as none.
@@ -34,10 +34,9 @@ class PoseFusion {
         Pose2 pose;
     };
 
-    bool is_possible(const Stamped& from, const Stamped& to) const;
     Pose2 wheels_at(double time_s) const;
 
-    RobotModel robot_;
+    JumpDetector jumps_;
     Pose2 T_map_odom_;
     std::optional<Pose2> T_wheels_odom_;  ///< origin of the wheels' own frame
     std::deque<Stamped> wheels_;          ///< of the last two seconds

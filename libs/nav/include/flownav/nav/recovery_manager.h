@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "flownav/core/navigation_params.h"
 #include "flownav/nav/navigator.h"
 #include "flownav/nav/planner.h"
+#include "flownav/nav/recovery_params.h"
 
 namespace flownav::nav {
 
@@ -26,22 +26,6 @@ enum class RecoveryState {
 
 /// The word of a state, as logs have it.
 const char* to_string(RecoveryState state);
-
-struct RecoveryParams {
-    PlanPolicy plan = PlanPolicy::Always;
-    PlanParams planner;
-    double goal_radius_m = 0.3;  ///< arrived when this near
-    double stuck_s = 0.8;        ///< the navigator sees no way for so long: a recovery
-    double held_s = 1.5;         ///< it wants to move, and the guard does not let it: likewise
-    double no_progress_s = 6.0;  ///< without coming 0.15 m nearer: a recovery
-    double back_off_m = 0.35;    ///< as far as known ground lasts
-    double creep_on_m = 0.2;
-    double creep_mps = 0.08;  ///< slow enough for the guard to let it stay as near to things as it is
-    double look_rad = 0.9;    ///< to either side
-    double away_rad = 0.5;    ///< from the side of a way point in the robot's frame
-    double turn_radps = 0.5;  ///< of recoveries; at most the robot's
-    int recoveries_max = 20;  ///< without progress: blocked
-};
 
 /// What the recovery manager decided, and all that a log or a picture shows of it.
 struct RecoveryDecision {
@@ -66,13 +50,13 @@ struct RecoveryDecision {
 class RecoveryManager {
   public:
     /// `goals_m`: way points in the map frame, the last one is the goal. Throws std::invalid_argument: none.
-    RecoveryManager(const RobotModel& robot, const RecoveryParams& params, std::unique_ptr<Navigator> navigator,
-          std::vector<Eigen::Vector2d> goals_m);
+    RecoveryManager(const RobotModel& robot, const RecoveryParams& params,
+                    std::unique_ptr<Navigator> navigator, std::vector<Eigen::Vector2d> goals_m);
 
     /// A robot that follows a way point fixed in ITS OWN frame, for ever. Its recoveries are BackingOff
     /// alone, and BackingOff, LookingLeft, LookingRight.
-    RecoveryManager(const RobotModel& robot, std::unique_ptr<Navigator> navigator,
-          const Eigen::Vector2d& waypoint_robot_m);
+    RecoveryManager(const RobotModel& robot, const RecoveryParams& params,
+                    std::unique_ptr<Navigator> navigator, const Eigen::Vector2d& waypoint_robot_m);
 
     /// Called every 100 or 200 ms. `map` holds everything seen so far, map frame.
     RecoveryDecision decide(const Situation& situation, const mrpt::maps::COccupancyGridMap2D& map);
@@ -102,6 +86,7 @@ class RecoveryManager {
 
     RobotModel robot_;
     RecoveryParams params_;
+    PlanParams planner_;
     std::unique_ptr<Navigator> navigator_;
     std::vector<Eigen::Vector2d> goals_m_;
     std::optional<Eigen::Vector2d> waypoint_robot_m_;
@@ -112,12 +97,12 @@ class RecoveryManager {
     std::optional<double> stuck_since_s_;
     double moved_s_ = 0.0;  ///< when it last moved, or did not want to
     Pose2 moved_to_;
-    std::deque<Pose2> trail_;           ///< where it came from, map frame
-    bool planning_ = false;             ///< PlanPolicy::Stuck: until the next goal
-    int recoveries_ = 0;                ///< since the last progress
+    std::deque<Pose2> trail_;              ///< where it came from, map frame
+    bool planning_ = false;                ///< ReplanPolicy::WhenStuck: until the next goal
+    int recoveries_ = 0;                   ///< since the last progress
     std::vector<RecoveryState> sequence_;  ///< of the running recovery, the next step last
-    double entered_s_ = 0.0;            ///< when the state began
-    Pose2 entered_at_;                  ///< and where
+    double entered_s_ = 0.0;               ///< when the state began
+    Pose2 entered_at_;                     ///< and where
 };
 
 }  // namespace flownav::nav

@@ -4,20 +4,10 @@
 #include <optional>
 
 #include "flownav/core/sensor_report.h"
+#include "flownav/nav/guard_params.h"
 #include "flownav/nav/guard_reason.h"
 
 namespace flownav::nav {
-
-struct SensorWatchParams {
-    double stale_s = 0.25;       ///< age of the newest field, by its time stamp and by its arrival
-    double ahead_s = 0.1;        ///< time stamps may be so far in the future
-    double blind_s = 0.2;        ///< for so long there may be no field with a picture
-    double lost_s = 0.2;         ///< for so long omega may be lost: something may have come before the lens
-    double waiting_s = 0.4;      ///< a sensor that starts anew may be blind for so much longer
-    double sector_s = 0.1;       ///< for so long a sector may be blind
-    int confident_min = 20;      ///< vectors of a field, for less is blind
-    double sector_share = 0.05;  ///< of the blocks of a sector, for less confident ones it is blind
-};
 
 /// Whether the flow sensor sees, from its reports. Standing still is not blind: a standing camera has as
 /// many confident vectors as a moving one, all of them zero.

@@ -13,10 +13,10 @@ struct TimedCommand {
     MotionCommand command;
 };
 
-/// Where the outline passes when the robot, moving with `motion` at `time_s`, is given `candidate` for
-/// `hold_s` and is then told to stop, until it stands. Commands of `sent` (in time order) that are still on
-/// their way take effect first. Poses are in the robot frame of `time_s`, the first one is the identity; from
-/// one to the next no point of the footprint moves much more than `step_m`.
+/// Poses of a robot that moves with `motion` at `time_s`, is given `candidate` for `hold_s` and then a stop,
+/// until it stands. Commands of `sent` (in time order) that are not older than the delay take effect first.
+/// Poses are in the robot frame of `time_s`, the first one is the identity; from one to the next a point of
+/// the footprint moves at most about `step_m`.
 std::vector<Pose2> stopping_path(const RobotModel& robot, const MotionCommand& motion,
                                  const std::deque<TimedCommand>& sent, double time_s,
                                  const TimedCommand& candidate, double hold_s, double step_m = 0.02);

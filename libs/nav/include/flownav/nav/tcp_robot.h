@@ -20,14 +20,14 @@ struct TcpAddress {
 TcpAddress parse_tcp_address(const std::string& text);
 
 struct TcpRobotParams {
-    double connect_s = 3.0;  ///< for the connection and the base's hello
-    double silence_s = 2.0;  ///< without a line from the base, the connection counts as lost
+    double connect_s = 3.0;  ///< limit for the connection and the base's hello
+    double silence_s = 2.0;  ///< time without a line from the base after which the connection is lost
     /// The clock of the camera's fields, in seconds; empty: the system's, since 1970.
     std::function<double()> clock_s;
 };
 
-/// What to add to the times of another clock. Lines arrive late, never early: the smallest difference of
-/// arrival and time stamp is the truest; it is forgotten slowly, as clocks drift.
+/// Offset to add to the time stamps of another clock: the smallest difference of arrival and time stamp,
+/// because lines arrive late but never early. The minimum decays slowly to follow clock drift.
 class ClockOffset {
   public:
     double update(double arrival_s, double stamp_s);
@@ -37,8 +37,8 @@ class ClockOffset {
     double last_s_ = 0.0;
 };
 
-/// A base behind a TCP connection; share/doc/robot.md documents its lines. A lost connection is not opened
-/// again: odometry() and drive() throw RobotError, and the base stops by itself.
+/// A base behind a TCP connection; share/doc/robot.md documents its lines. A lost connection is not reopened:
+/// odometry() and drive() throw RobotError, and the base stops by itself.
 class TcpRobot : public RobotBase {
   public:
     /// Connects and exchanges hellos. Throws RobotError.
@@ -48,14 +48,14 @@ class TcpRobot : public RobotBase {
     std::optional<WheelReading> odometry() override;
     void drive(const MotionCommand& command) override;
 
-    /// Waits for lines of the base; false: none came.
+    /// Waits for lines of the base. Returns false on timeout.
     bool wait(double timeout_s) const { return socket_.wait(timeout_s); }
 
-    /// After so long without a command the base stops by itself.
+    /// Time without a command after which the base stops by itself.
     double base_timeout_s() const { return base_timeout_s_; }
-    int malformed_lines() const { return malformed_; }                ///< of the base
-    int stops_of_base() const { return stops_; }                      ///< how often it stopped by itself
-    const std::string& last_complaint() const { return complaint_; }  ///< of the base about us
+    int malformed_lines() const { return malformed_; }  ///< lines of the base that could not be parsed
+    int stops_of_base() const { return stops_; }        ///< how often the base stopped by itself
+    const std::string& last_complaint() const { return complaint_; }  ///< last error line from the base
 
   private:
     void greet(double timeout_s);
@@ -65,15 +65,15 @@ class TcpRobot : public RobotBase {
     TcpAddress address_;
     TcpRobotParams params_;
     TcpSocket socket_;
-    std::mutex sending_;  ///< drive() and a stop() of another thread
+    std::mutex sending_;  ///< serialises drive() with a stop() of another thread
     LineBuffer lines_;
     ClockOffset offset_;
     std::optional<WheelReading> newest_;
-    double heard_s_ = 0.0;  ///< when the last line came
+    double heard_s_ = 0.0;  ///< when the last line arrived
     double base_timeout_s_ = 0.0;
     long sequence_ = 0;
     int malformed_ = 0;
-    int full_reads_ = 0;  ///< in a row: more came than was read
+    int full_reads_ = 0;  ///< consecutive reads that left data unread
     int stops_ = 0;
     std::string complaint_;
 };

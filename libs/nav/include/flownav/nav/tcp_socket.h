@@ -6,7 +6,7 @@
 
 namespace flownav::nav {
 
-/// A connection over TCP that never blocks for longer than it is told. Errors throw RobotError.
+/// A TCP connection whose calls block no longer than their timeout. Errors throw RobotError.
 class TcpSocket {
   public:
     /// Connects. `port`: a number or the name of a service.
@@ -16,22 +16,22 @@ class TcpSocket {
     TcpSocket(TcpSocket&& other) noexcept;
     TcpSocket& operator=(TcpSocket&&) = delete;
 
-    /// All of it, within a second.
+    /// Sends all bytes within a second.
     void send(std::string_view bytes) const;
 
-    /// What has arrived, perhaps nothing, and at most so many bytes: a peer that floods must not keep its
-    /// reader from its work.
+    /// Returns the bytes that have arrived, at most `most`; may be empty. The limit keeps a flooding peer
+    /// from blocking its reader.
     std::string receive(std::size_t most = receive_max) const;
     static constexpr std::size_t receive_max = 16384;
 
-    /// True when something has arrived (or the connection has ended) before the time is over.
+    /// Waits until bytes arrive or the connection ends. Returns false on timeout.
     bool wait(double timeout_s) const;
 
   private:
     int file_ = -1;
 };
 
-/// Takes connections on the loopback interface, or on all of them.
+/// Accepts connections on the loopback interface, or on all interfaces.
 class TcpListener {
   public:
     /// Port 0: the system chooses one.

@@ -10,46 +10,48 @@
 
 namespace flownav::obstacles {
 
-/// Working memory of mark_dynamic_objects(), and its result: the region each block belongs to, -1: none.
+/// Result and working memory of mark_dynamic_objects(). `region_of`: index of each block's region, -1: none.
 struct DynamicRegions {
     std::vector<int> region_of;
     std::vector<int> stack;
     int regions = 0;
 };
 
-/// True when two blocks may lie on the same mover: their drifts (flow less rotation, an image) agree.
+/// True when two blocks may lie on the same dynamic object: their drifts agree within 20 % or 3 standard
+/// deviations.
 bool similar_drift(const Classification& p, const Classification& q);
 
-/// True for vectors that no thing at rest can have: across e, or backward along it.
+/// True for vectors that no static object can cause: eliminated by (11), and pointing across e or backward
+/// along it.
 bool may_move(const Classification& classification);
 
-/// Finds what moves by itself: vectors that (11) eliminates, that agree with their neighbours about how they
-/// drift, and that hang together. Blocks among them that happened to pass (11) belong to them as well, be
-/// they candidates of (13) or not. All get BlockLabel::Moving and the number of their region. `neighbours`:
-/// indices of the nearest blocks of each, -1 behind the last.
+/// Finds dynamic objects: connected regions of vectors that (11) eliminates and whose drifts agree with those
+/// of their neighbours. Other measured blocks join a region when at least 3 of their neighbours with an
+/// agreeing drift belong to it. Labels the blocks of a region BlockLabel::Moving and sets `regions`.
+/// `neighbours`: indices of the nearest blocks of each block, then -1.
 template <std::size_t N>
 void mark_dynamic_objects(std::vector<Classification>& judgements,
                           const std::vector<std::array<int, N>>& neighbours, DynamicRegions& regions);
 
-/// Where something that moves touches the ground, from the lowest image row of its region by (8). Its
-/// distance does not follow from its flow.
+/// Contact of a dynamic object with the ground, from the lowest image row of its region by (8). The object's
+/// flow does not determine its distance.
 struct GroundContact {
-    double forward_m = 0.0;  ///< of the contact, in the robot frame
+    double forward_m = 0.0;  ///< x of the contact in the robot frame
     double sigma_m = 0.0;
 };
 
-/// `lowest_px`: the lower edge of the region's lowest block, in the newest field. Nothing when the region
-/// reaches to the border of the image (it may go on below), over the horizon, or too far to tell.
+/// Ground contact of a region. `lowest_px`: lower edge of the region's lowest block in the newest field.
+/// Empty when the region reaches the lower border of the image (the object may extend below it), ends near or
+/// above the horizon, or is so far away that sigma exceeds a third of the distance.
 std::optional<GroundContact> ground_contact(const Eigen::Vector2d& lowest_px, const RayMapper& newest);
 
-/// A point of an upright thing that stands at `contact`, seen in pixel `at_px` of the newest field; robot
-/// frame, marked as moving. Nothing out of the limits of `params`.
+/// Point of an upright object that stands at `contact`, seen in pixel `at_px` of the newest field. Robot
+/// frame, `moving` set. Empty outside the limits of `params`.
 std::optional<ObstaclePoint> moving_point(const Eigen::Vector2d& at_px, const GroundContact& contact,
                                           const RayMapper& newest, const ObstacleParams& params);
 
-constexpr int dynamic_neighbours_min = 3;  ///< that drift alike
-constexpr double dynamic_share_min =
-    0.05;  ///< of all blocks; crossings of edges at rest look like small movers
+constexpr int dynamic_neighbours_min = 3;   ///< neighbours of agreeing drift that a block needs
+constexpr double dynamic_share_min = 0.05;  ///< of all blocks; crossing static edges cause smaller regions
 
 template <std::size_t N>
 void mark_dynamic_objects(std::vector<Classification>& judgements,

@@ -8,11 +8,12 @@
 
 namespace flownav::obstacles {
 
-/// An empty scan that covers the camera's horizontal view in beams of params.beam_deg; all beams Unknown.
+/// Returns a scan that covers the camera's horizontal view in beams of params.beam_deg; all beams are
+/// Unknown.
 VirtualScan scan_layout(const RayMapper& mapper, const ObstacleParams& params);
 
-/// Fills the beams of `scan` anew: the nearest obstacle of each bearing; else free as far as confirmed floor
-/// reaches without a gap of more than half a metre; else Unknown. `patches` is sorted by this function.
+/// Overwrites the beams of `scan`: Obstacle at the nearest obstacle of the bearing; else Free as far as
+/// confirmed floor reaches without a gap of more than 0.5 m; else Unknown. Sorts `patches` by distance.
 void fill_scan(VirtualScan& scan, const std::vector<ObstaclePoint>& points,
                std::vector<GroundPatch>& patches);
 

@@ -8,33 +8,37 @@
 
 namespace flownav::pipeline {
 
-/// Everything that outlives a field: the held fields, the block layout, the rates for the next prediction,
-/// the measurements of the running cycle, and the record of the last step. Movable; copied by clone() only.
+/// The memory of the pipeline between fields: the reference, the newest field, the block layout, the rates
+/// for the next prediction, the measurements of the running cycle, and the record of the last step. Movable;
+/// copied by clone() only.
 class State {
   public:
+    /// With the registered matcher that `params.flow.matcher` names. Throws std::invalid_argument: no such
+    /// one.
     explicit State(const Params& params);
-    State(const Params& params, flow::Matcher matcher);  ///< with vectors from elsewhere
+    State(const Params& params, flow::Matcher matcher);  ///< `params.flow.matcher` is ignored
     ~State();
     State(State&&) noexcept;
     State& operator=(State&&) noexcept;
 
-    /// A state that goes on from here by itself. Shares the pixels of the held fields, which nobody changes.
+    /// Returns an independent copy. Shares the pixels of the held fields, which are never changed.
     State clone() const;
 
     /// The record of the last step.
     const Step& last_step() const;
 
-    struct Impl;
-    Impl& impl() { return *impl_; }
-
   private:
+    class Impl;
+    friend const Step& step(State& state, const Field& field);
+
     std::unique_ptr<Impl> impl_;
 };
 
-/// The sentence: field -> flow -> ego-motion -> obstacles. The record lives in the state and is valid until
-/// the next call; its vectors are reused, so that nothing is allocated in steady state. Never throws on a
-/// field that cannot be used, such as one whose time stamp does not rise or whose image is not as large as
-/// its camera says: its status is BadField, Step::fault says why, Step::faults counts.
+/// Processes one field: field -> flow -> ego-motion -> obstacles. Returns the record, which lives in the
+/// state and is valid until the next call; its vectors are reused, so that no field allocates in steady
+/// state. Does not throw on a field that cannot be used, such as one whose time stamp does not rise or whose
+/// image is not as large as its camera says: its status is BadField, Step::fault has the reason, Step::faults
+/// counts.
 const Step& step(State& state, const Field& field);
 
 /// Name of the block matching kernel in use.

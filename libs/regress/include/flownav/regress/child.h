@@ -9,26 +9,26 @@
 
 namespace flownav::regress {
 
-/// What a child process shall do.
+/// Inputs and files of a child process.
 struct ChildTask {
     std::filesystem::path rawlog;
-    std::string sha256;              ///< of the rawlog, checked first
+    std::string sha256;              ///< of the rawlog; checked before the replay
     std::filesystem::path program;   ///< a flownav-replay
-    std::filesystem::path output;    ///< its folder
-    std::filesystem::path config;    ///< its ini
-    std::filesystem::path messages;  ///< takes what it says on the standard error
-    int lock = -1;                   ///< stays open in it
+    std::filesystem::path output;    ///< folder of the results
+    std::filesystem::path config;    ///< ini
+    std::filesystem::path messages;  ///< file for its standard error
+    int lock = -1;                   ///< descriptor that stays open in the child
 };
 
-/// Starts a process of its own group that checks the rawlog's sha256 and becomes the replay; it exits with
-/// flownav-replay's status for bad usage when the rawlog cannot be read or is another one. It does not
-/// outlive this process. Throws std::system_error when there can be no more processes.
+/// Starts a process in its own group that checks the rawlog's sha256 and becomes the replay. It exits with
+/// flownav-replay's status for bad usage when the rawlog cannot be read or its sha256 differs, and it is
+/// killed when this process ends. Throws std::system_error when no process can be started.
 pid_t start_child(const ChildTask& task);
 
 /// Sends a signal to the whole group of a child.
 void signal_child(pid_t child, int signal);
 
-/// How a child ended, from the state that waitpid() gives: "ended with status 2", "was ended by signal 11
+/// Describes the end of a child by the state of waitpid(): "ended with status 2", "was ended by signal 11
 /// (Segmentation fault)".
 std::string describe_end(int state);
 

@@ -7,13 +7,13 @@
 
 namespace flownav::regress {
 
-/// Columns of equal length by name; not a number where a cell is empty or a word.
+/// Columns of equal length by name; NaN for a cell that is empty or not a number.
 using Columns = std::map<std::string, std::vector<double>>;
 
-/// A CSV whose first line names the columns; nothing where there is no such file.
+/// Reads a CSV whose first line names the columns; empty for a missing file.
 Columns read_csv(const std::filesystem::path& file);
 
-/// A trajectory in TUM format: timestamp, x, y.
+/// Reads timestamp, x and y of a trajectory in TUM format.
 Columns read_tum(const std::filesystem::path& file);
 
 }  // namespace flownav::regress

@@ -7,16 +7,16 @@
 
 namespace flownav::regress {
 
-/// "worse", "better", or nothing.
+/// Returns "worse", "better" or an empty text.
 const char* to_string(Verdict verdict);
 
-/// A line a change, in columns; at most `most`, then how many there are more.
+/// Table with one line per change, at most `most`, then the number of further changes.
 std::string change_table(const Comparison& comparison, std::size_t most);
 
-/// What differs between the runs themselves, a line each: programs, settings, rawlogs.
+/// Differences between the setups of the runs, one line each: programs, settings, rawlogs.
 std::vector<std::string> what_differs(const Comparison& comparison);
 
-/// How many rawlogs changed, in a sentence.
+/// One sentence with the numbers of changed rawlogs.
 std::string tally_text(const Tally& tally);
 
 }  // namespace flownav::regress

@@ -11,46 +11,46 @@
 
 namespace flownav::regress {
 
-/// A golden figure; no value: the summary says null.
+/// A golden figure; without a value the summary says null.
 struct ExpectedFigure {
     std::optional<double> value;
     Tolerance tolerance;
 };
 
-/// What is expected of one rawlog.
+/// Expected figures of one rawlog.
 struct ExpectedRawlog {
-    int status = 0;  ///< of the replay; a damaged recording is expected to give flownav-replay's 2
+    int status = 0;  ///< exit status of the replay; 2 for a damaged recording
     std::map<std::string, ExpectedFigure> figures;
 };
 
 /// The content of expected.json.
 struct Expectation {
-    std::string replayed_by;  ///< program and version that the figures are of
+    std::string replayed_by;  ///< program and version that produced the figures
     std::map<std::string, ExpectedRawlog> rawlogs;
 };
 
-/// Throws UsageError: no such file, no JSON, another format, a value of the wrong kind, naming it.
+/// Reads an expectation. Throws UsageError for a missing file, invalid JSON, another format, or a value of
+/// the wrong kind, naming it.
 Expectation read_expectation(const std::filesystem::path& file);
 
 std::string expectation_text(const Expectation& expectation);
 
-/// One thing that is not as expected.
+/// One deviation from the expectation.
 struct Deviation {
     std::string id;
-    std::string figure;   ///< empty: the rawlog as a whole
-    std::string message;  ///< in words
+    std::string figure;   ///< empty: concerns the whole rawlog
+    std::string message;  ///< for the user
 };
 
-/// Everything that is out of tolerance, in the order of the results, then what is expected but not in the
-/// manifest.
+/// Returns the figures that are out of tolerance in the order of the results, then the expected rawlogs that
+/// are not in the manifest.
 std::vector<Deviation> check(const Expectation& expectation, const RunResults& results);
 
-/// The expectation that these results meet. Tolerances of figures that were expected before are kept; new
-/// ones get those of figure_rule(). What the results miss is kept as it was, when it is in the manifest at
-/// all.
+/// Returns the expectation that these results meet. Known figures keep their tolerances; new ones get those
+/// of figure_rule(). Expectations of missing results are kept for rawlogs in the manifest.
 Expectation accept(const Expectation& before, const RunResults& results);
 
-/// A line for each thing that differs between two expectations.
+/// Returns one line per difference of two expectations.
 std::vector<std::string> difference(const Expectation& before, const Expectation& after);
 
 }  // namespace flownav::regress

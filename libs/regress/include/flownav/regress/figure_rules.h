@@ -4,29 +4,29 @@
 
 namespace flownav::regress {
 
-/// How far a figure may be from what is expected: a share of it, or a difference.
+/// Allowed deviation of a figure from its expected value, relative or absolute.
 struct Tolerance {
     double value = 0.0;
     bool relative = false;  ///< share of the expected value
 
-    /// As a difference, for this expected value.
+    /// Returns the tolerance as an absolute difference.
     double width(double expected) const;
 };
 
-/// Which way is better.
+/// Direction of improvement.
 enum class Better { Unknown, Lower, Higher, NearerZero };
 
-/// What a change of one figure means.
+/// Tolerance and direction of improvement of one figure.
 struct FigureRule {
     Tolerance tolerance;
     Better better = Better::Unknown;
 };
 
-/// By the name of a figure, such as "errors.odometry.v_sd_percent", and its expected value: small counts and
-/// errors near zero get a difference, others a share.
+/// Returns the rule for a figure such as "errors.odometry.v_sd_percent" by its name and expected value: small
+/// counts and errors near zero get an absolute tolerance, others a relative one.
 FigureRule figure_rule(const std::string& figure, double expected);
 
-/// +1 where a change from `before` to `after` is to the better, -1 to the worse, 0 where one cannot say.
+/// Rates a change from `before` to `after`: +1 better, -1 worse, 0 undecided.
 int verdict_on(Better better, double before, double after);
 
 }  // namespace flownav::regress

@@ -7,8 +7,8 @@
 
 namespace flownav::regress {
 
-/// The outcome of check() in the XML of JUnit, as CI servers read it: a test case a rawlog, with a failure
-/// that lists what is out of tolerance.
+/// The outcome of check() as JUnit XML for CI servers: one test case per rawlog, with a failure that lists
+/// the deviations.
 std::string junit_xml(const std::string& suite, const RunResults& results,
                       const std::vector<Deviation>& deviations);
 

@@ -11,10 +11,10 @@
 
 namespace flownav::regress {
 
-/// What flownav-regress was asked for; each command uses what it accepts.
+/// Parsed command line of flownav-regress; each command uses the options that it accepts.
 struct Options {
     std::string command;
-    std::vector<std::filesystem::path> folders;  ///< what stands alone: DIR, or DIR_A DIR_B
+    std::vector<std::filesystem::path> folders;  ///< positional arguments: DIR, or DIR_A DIR_B
     std::filesystem::path manifest, root, output;
     std::optional<Shard> shard;
     std::string config, program;
@@ -26,7 +26,7 @@ struct Options {
     bool quiet = false;
 };
 
-/// What the arguments ask for, or nothing when they have been answered; then `status` says how. Throws
+/// Parses the arguments; empty when they have been answered, with the exit status in `status`. Throws
 /// UsageError.
 std::optional<Options> parse_options(const std::vector<std::string>& arguments,
                                      const Environment& environment, std::ostream& out, std::ostream& error,

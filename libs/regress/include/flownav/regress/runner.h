@@ -13,32 +13,32 @@ namespace flownav::regress {
 enum class Keep { All, FiguresOnly };
 
 struct RunOptions {
-    int jobs = 1;                  ///< replays at the same time
-    double time_limit_s = 1800.0;  ///< of one replay
+    int jobs = 1;                  ///< number of parallel replays
+    double time_limit_s = 1800.0;  ///< limit of one replay
     Keep keep = Keep::All;
-    bool force = false;  ///< also what is done
+    bool force = false;  ///< repeats finished jobs too
 };
 
-/// How far a run is, and what came of it.
+/// Counts of a run.
 struct RunTally {
     std::size_t all = 0;
-    std::size_t skipped = 0;     ///< done before
-    std::size_t replayed = 0;    ///< and fine
-    std::size_t failed = 0;      ///< see failed/ID
-    std::size_t not_stored = 0;  ///< could not be written; try again
+    std::size_t skipped = 0;     ///< finished by an earlier run
+    std::size_t replayed = 0;    ///< replayed successfully
+    std::size_t failed = 0;      ///< failed replays, see failed/ID
+    std::size_t not_stored = 0;  ///< results that could not be written; try again
     double driven_s = 0.0;       ///< length of the recordings that were replayed
     int ended_by_signal = 0;     ///< SIGTERM or SIGINT, or 0
 };
 
-/// Who is told while it goes on.
+/// Callbacks of a run.
 struct RunListener {
-    std::function<void(const RunTally&)> progress;    ///< after each rawlog
-    std::function<void(const std::string&)> problem;  ///< a sentence for each one that failed
+    std::function<void(const RunTally&)> progress;    ///< called after each rawlog
+    std::function<void(const std::string&)> problem;  ///< called with a sentence for each failed rawlog
 };
 
-/// Replays every job that is not done, each in a process of its own with a time limit, and stores what comes
-/// of it. One that fails does not stop the others. SIGTERM and SIGINT end it with nothing half stored; the
-/// process must have no other threads. Throws OutputError when there can be no folder for the results.
+/// Replays every job that is not done, each in its own process with a time limit, and stores the results. A
+/// failed job does not stop the others. SIGTERM and SIGINT end the run without partial results; the process
+/// must have no other threads. Throws OutputError when the result folder cannot be created.
 RunTally run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const RunListener& listener);
 
 }  // namespace flownav::regress

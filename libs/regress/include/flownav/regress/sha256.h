@@ -9,10 +9,10 @@ namespace flownav::regress {
 /// SHA-256 as 64 lower-case hexadecimal digits.
 std::string sha256_of_text(std::string_view text);
 
-/// The same of a file's content. Throws std::system_error when it cannot be read.
+/// SHA-256 of a file's content. Throws std::system_error when it cannot be read.
 std::string sha256_of_file(const std::filesystem::path& file);
 
-/// Whether `text` looks like one.
+/// True for 64 lower-case hexadecimal digits.
 bool is_sha256(std::string_view text);
 
 }  // namespace flownav::regress

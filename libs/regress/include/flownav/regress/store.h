@@ -5,8 +5,8 @@
 
 namespace flownav::regress {
 
-/// A new folder that nobody else uses, gone with this object unless it was moved away. A lock shows others
-/// that it is in use; a child that inherits lock() keeps it for as long as it lives.
+/// A new folder for exclusive use, removed by the destructor unless it was moved away. A lock marks it as in
+/// use; a child process that inherits lock() keeps the lock while it lives.
 class ScratchFolder {
   public:
     ScratchFolder(const std::filesystem::path& parent, const std::string& name);
@@ -24,29 +24,29 @@ class ScratchFolder {
     int lock_ = -1;
 };
 
-/// The results of a run on disk: done/ID and failed/ID, each complete or not there, whatever ends whom. Any
-/// number of processes on any number of machines may use the same folder. Everything throws OutputError when
-/// it cannot be written.
+/// The results of a run on disk: done/ID and failed/ID, each complete or absent, even after a crash. Any
+/// number of processes on any number of machines may use the same folder. All functions throw OutputError
+/// when the folder cannot be written.
 class Store {
   public:
-    /// Makes the folders that are missing.
+    /// Creates missing folders.
     explicit Store(std::filesystem::path root);
 
-    /// Whether done/ID was made with `key`.
+    /// True when done/ID exists and was made with `key`.
     bool is_done(const std::string& id, const std::string& key) const;
 
     ScratchFolder scratch(const std::string& id) const;
 
-    /// Makes `result`, which is complete, done/ID, and forgets failed/ID. Whoever comes second with the same
-    /// key changes nothing, unless `force`; a result with another key gives way.
+    /// Moves the complete `result` to done/ID and removes failed/ID. An existing done/ID with the same key
+    /// stays, unless `force`; one with another key is replaced.
     void commit_done(const ScratchFolder& result, const std::string& id, const std::string& key,
                      bool force) const;
 
-    /// Makes `result` failed/ID; a done/ID with another key is forgotten. Where done/ID was made with `key`,
-    /// it stays and the failure is dropped.
+    /// Moves `result` to failed/ID and removes a done/ID with another key. When done/ID has the same `key`,
+    /// it stays and `result` is dropped.
     void commit_failed(const ScratchFolder& result, const std::string& id, const std::string& key) const;
 
-    /// Removes what ended processes left in tmp/. Where the file system knows no locks, all is left there.
+    /// Removes the files of ended processes from tmp/; none on a file system without locks.
     void remove_left_overs() const;
 
   private:
@@ -57,7 +57,7 @@ class Store {
     std::filesystem::path root_;
 };
 
-/// The file of done/ID, and of failed/ID, that tells what came of it.
+/// Name of the file in done/ID and failed/ID that holds the result.
 constexpr auto result_file = "result.json";
 constexpr auto failure_file = "failure.json";
 

@@ -17,33 +17,34 @@
 
 namespace flownav::replay {
 
-/// What is written only when asked for.
+/// Outputs that are written on request only.
 struct OptionalOutputs {
     bool keep_images = false;          ///< copy the fields into result.rawlog too
-    std::filesystem::path video;       ///< an MP4 of the drive; empty: none
-    std::filesystem::path flow_field;  ///< a rawlog of CObservationFlowField; empty: none
+    std::filesystem::path video;       ///< MP4 file of the drive; empty: none
+    std::filesystem::path flow_field;  ///< rawlog of CObservationFlowField; empty: none
 };
 
-/// Names of the files that every replay writes into its folder.
+/// Names of the files that a replay writes into its folder.
 const std::vector<const char*>& output_names();
 
-/// Every file of an output folder. What is known is written at once; finish() adds what needs the whole
-/// drive. Everything throws OutputError when it cannot be written.
+/// Writes the files of an output folder: per-field data at once, results of the whole drive in finish(). All
+/// functions throw OutputError.
 class Outputs {
   public:
     Outputs(std::filesystem::path folder, const config::Config& config, const OptionalOutputs& optional);
 
-    /// Enters what a finished cycle saw into the map; comes before write().
+    /// Inserts obstacles and floor of a finished cycle into the map; must be called before write().
     void map(const pipeline::Step& step);
     void write(const Field& field, const pipeline::Step& step);
     const mapping::GlobalMap& global_map() const { return map_; }
     void write_odometry(const io::PoseSample& sample) { rawlog_.write_odometry(sample); }
 
-    /// Pose tracks, map and report, with `timing` in it unless null; fills drive.written.
+    /// Writes pose tracks, map and report, and closes all files. The report includes `timing` unless null.
+    /// Fills drive.written.
     void finish(evaluation::Drive& drive, const report::ThumbnailStrip& thumbnail_strip,
                 const evaluation::Timing* timing = nullptr);
 
-    /// summary.json, which counts what finish() wrote.
+    /// Writes summary.json, with the counts of finish().
     void write_summary(const evaluation::Drive& drive, const evaluation::Timing& timing);
 
   private:

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "flownav/cli/exit_status.h"
 #include "flownav/cli/progress.h"
 #include "flownav/config/config.h"
 #include "flownav/replay/outputs.h"
@@ -11,29 +12,22 @@ namespace flownav::replay {
 
 struct ReplayOptions {
     std::filesystem::path input;   ///< a rawlog
-    std::filesystem::path output;  ///< folder, made when it is missing; what is in it is overwritten
+    std::filesystem::path output;  ///< folder, created when it is missing; its output files are overwritten
     config::Config config;
     OptionalOutputs optional;
-    bool timing_in_report = false;  ///< then report.html differs from run to run
-    cli::Progress::Style progress = cli::Progress::Style::Silent;  ///< on the standard output
-};
-
-enum class ExitStatus {
-    Fine = 0,
-    Usage = 1,   ///< bad usage or configuration; nothing was written
-    Input = 2,   ///< the input is damaged or ended early; all that was readable was written
-    Output = 3,  ///< output could not be written
+    bool timing_in_report = false;  ///< true makes report.html differ between runs
+    cli::Progress::Style progress = cli::Progress::Style::Silent;  ///< written to the standard output
 };
 
 struct ReplayResult {
-    ExitStatus status = ExitStatus::Fine;
-    std::string message;                ///< what, where, what to do; empty when all is fine
-    std::vector<std::string> warnings;  ///< about results that are less than they seem, and the camera's pose
-    std::string outcome;                ///< what was found, in one line; empty when nothing was written
+    cli::ExitStatus status = cli::ExitStatus::Fine;
+    std::string message;                ///< problem, place and advice; empty when there is none
+    std::vector<std::string> warnings;  ///< sentences about limited results and the camera's pose
+    std::string outcome;                ///< summary in one line; empty when no file was written
 };
 
-/// Runs the complete sensing chain over a rawlog and writes everything that share/doc/outputs.md lists. Never
-/// throws on bad input or full disks: the result says what happened.
+/// Runs the complete sensing chain over a rawlog and writes the files of share/doc/outputs.md. Reports bad
+/// input and full disks in the result; does not throw on them.
 ReplayResult replay(const ReplayOptions& options);
 
 }  // namespace flownav::replay

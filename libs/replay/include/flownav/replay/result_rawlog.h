@@ -13,23 +13,24 @@
 
 namespace flownav::replay {
 
-/// result.rawlog: a gz list of observations of MRPT's standard classes, in the order they are given.
+/// Writes result.rawlog: a gz list of observations of MRPT's standard classes, in the order of the calls. All
+/// functions throw OutputError.
 class ResultRawlog {
   public:
-    /// `range_max_m` is the longest range of the scans.
+    /// `range_max_m`: largest range of the scans.
     ResultRawlog(const std::filesystem::path& path, double range_max_m)
         : file_(path), range_max_m_(range_max_m) {}
 
-    /// FLOW_ODOMETRY; at the end of a cycle FLOW_SCAN and FLOW_POINTS too.
+    /// Writes FLOW_ODOMETRY, and at the end of a cycle FLOW_SCAN and FLOW_POINTS.
     void write(const pipeline::Step& step);
 
-    /// A copy of the robot's own odometry.
+    /// Writes a copy of the robot's own odometry.
     void write_odometry(const io::PoseSample& sample);
 
-    /// The field as it was used: grey, one parity, with the calibration and camera pose that were used.
+    /// Writes the field as used: grey, one parity, with the applied calibration and camera pose.
     void write_image(const Field& field, const std::string& label);
 
-    /// Observations written so far, by label.
+    /// Number of observations written so far, by label.
     const std::map<std::string, std::uint64_t>& counts() const { return counts_; }
     void close() { file_.close(); }
 

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "flownav/report/palette.h"
+
 namespace flownav::report {
 
 /// A line of a chart: a value for every time of the chart.
@@ -11,7 +13,7 @@ struct ReportSeries {
     static constexpr double gap = HUGE_VAL;    ///< no value here, and the line is interrupted
 
     std::string name;
-    std::string colour;  ///< as in CSS
+    Colour colour;
     bool dashed = false;
     double width_px = 1.8;
     bool connected = false;  ///< values come less often than once a field

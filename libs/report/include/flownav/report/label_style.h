@@ -1,20 +1,19 @@
 #pragma once
 #include <array>
-#include <opencv2/core/types.hpp>
 
 #include "flownav/core/flow_vector.h"
+#include "flownav/report/palette.h"
 
 namespace flownav::report {
 
-/// How a label looks in every picture: a colour of the palette of Okabe and Ito, which colour-blind eyes can
-/// tell apart, and a word for the legend.
+/// Colour and word of a label, the same in every picture and page.
 struct LabelStyle {
     BlockLabel label;
-    cv::Scalar colour;  ///< BGR
+    Colour colour;
     const char* name;
 };
 
-/// In the order they are drawn: what matters most lies on top. Unplaced blocks are not drawn.
+/// In the order they are drawn, the most important last. Unplaced blocks are not drawn.
 const std::array<LabelStyle, 7>& label_styles();
 
 /// The style of a label; null for BlockLabel::Unplaced.

@@ -6,11 +6,13 @@
 
 #include "flownav/core/field.h"
 #include "flownav/core/pose2.h"
+#include "flownav/sim/field_camera.h"
+#include "flownav/sim/renderer.h"
 #include "flownav/sim/world.h"
 
 namespace flownav::sim {
 
-/// What lens, chip and a shaking robot do to every image, drawn from the seed and the image's number.
+/// Effects of lens, chip and a shaking robot on every image, drawn from the seed and the image's number.
 struct CameraEffects {
     double gain = 1.0;                 ///< exposure; 1 leaves the greys of the world
     double exposure_step = 0.0;        ///< share by which auto exposure steps every 12 to 24 images
@@ -25,7 +27,7 @@ struct CameraEffects {
 struct CameraSimParams {
     CameraModel camera;       ///< of a whole frame, also when it is interlaced
     bool interlaced = false;  ///< fields of alternating parity, even image numbers the top one
-    double rate_hz = 25.0;    ///< of fields; for those who call take(), it has no effect there
+    double rate_hz = 25.0;    ///< of fields; for callers of take(), which does not use it
     int supersampling = 2;    ///< samples a pixel, in either direction
     CameraEffects effects;
 };
@@ -33,13 +35,13 @@ struct CameraSimParams {
 /// The camera of one image: `frame`, or its field when it is interlaced.
 CameraModel image_camera(const CameraSimParams& params, int image);
 
-/// Renders what a camera on a robot sees, without a display (EGL; Mesa's software renderer will do). The same
-/// arguments give the same bytes on one machine. Use it in the thread that made it. Throws std::runtime_error
-/// when there is no EGL, std::invalid_argument on params that make no sense.
-class CameraSimulator {
+/// Renders with OpenGL, without a display (EGL; Mesa's software renderer will do). The same arguments give
+/// the same bytes on one machine. To be used in the thread that made it. Throws std::runtime_error when there
+/// is no EGL, std::invalid_argument when params are out of range or the world has waves.
+class CameraSimulator final : public Renderer {
   public:
     CameraSimulator(const World& world, const CameraSimParams& params);
-    ~CameraSimulator();
+    ~CameraSimulator() override;
     CameraSimulator(CameraSimulator&&) noexcept;
     CameraSimulator& operator=(CameraSimulator&&) noexcept;
 
@@ -47,16 +49,15 @@ class CameraSimulator {
     /// start of the world. The field owns its pixels and carries the calibrated camera, without vibration.
     Field take(int image, const Pose2& T_world_robot, double time_s);
 
-    /// Exact depth along the optical axis of every pixel of image 0, without vibration: CV_32F, metres, 0
-    /// where there is nothing. Of solids the shape, not the mesh.
-    cv::Mat depth_m(const Pose2& T_world_robot, double time_s);
+    /// By the camera of image 0, without effects.
+    cv::Mat1b render(const Pose2& T_world_robot, double time_s) override;
+
+    /// By the camera of image 0. Of the exact shapes, not of their meshes.
+    cv::Mat1f depth_m(const Pose2& T_world_robot, double time_s) override;
 
   private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
-
-/// Seconds since the epoch at which every simulated world starts.
-constexpr double sim_start_s = 1767225600.0;
 
 }  // namespace flownav::sim

@@ -24,19 +24,23 @@ struct Sphere {
 };
 using Shape = std::variant<Box, Cylinder, Sphere>;
 
+/// Texture of a surface. The GL renderer draws Tiles as Stoneware, Lino as Marbled and Wall as Faint.
 enum class Surface : std::uint8_t {
-    Plain,      ///< no texture at all
-    Carpet,     ///< rich, from half a metre down to a few millimetres
-    Tiles,      ///< regular joints, fine faint specks inside
-    Lino,       ///< low contrast flecks and streaks
-    Patterned,  ///< rich, for objects
-    Faint,      ///< wood, metal or plaster: low contrast
+    Plain = 0,      ///< no texture
+    Carpet = 1,     ///< rich, from half a metre down to a few millimetres
+    Tiles = 2,      ///< regular dark joints, hardly any texture inside
+    Lino = 3,       ///< low contrast
+    Wall = 4,       ///< painted rough plaster, low contrast
+    Patterned = 5,  ///< rich, for objects
+    Faint = 6,      ///< wood, metal or plaster: low contrast
+    Stoneware = 7,  ///< tiles with fine faint specks inside
+    Marbled = 8,    ///< linoleum with faint flecks and streaks
 };
 
-/// What a surface looks like; the same numbers give the same picture.
+/// Texture, mean grey and seed of a surface; the same numbers give the same picture.
 struct Look {
     Surface surface = Surface::Patterned;
-    double grey = 128.0;     ///< mean grey level, 0..255
+    double grey = 128.0;     ///< mean grey level, 0..255; contrasts are proportional to it
     std::uint64_t seed = 0;  ///< of the texture
 };
 
@@ -45,8 +49,13 @@ struct TimedPose {
     Eigen::Isometry3d T_world_solid = Eigen::Isometry3d::Identity();
 };
 
-/// One thing in the world. Things with a script move: linearly between its poses, at rest before the first
-/// and after the last.
+/// Class of an object, for evaluation.
+enum class ThingKind : std::uint8_t { Wall, Box, LowBox, Pole, Drum, Chair, Rail, Mover };
+
+const char* to_string(ThingKind kind);
+
+/// One rigid part of the world. A solid with a script moves: linearly between its poses, at rest before the
+/// first and after the last.
 struct Solid {
     std::string name;
     Shape shape;
@@ -55,18 +64,35 @@ struct Solid {
     bool visible = true;  ///< to the camera
     bool solid = true;    ///< to the robot and the lidar
     std::vector<TimedPose> script;
+    ThingKind kind = ThingKind::Box;  ///< of the object that it is a part of
+    int object = 0;                   ///< number of that object: its solids share it
 };
 
 /// Pose of a solid, `time_s` after the start of the world.
 Eigen::Isometry3d pose_at(const Solid& solid, double time_s);
 
-/// The floor, the plane z = 0, and what stands on it. World frame: z up, metres.
+/// Bumps and hollows of the floor, a quarter to six tenths of a metre long, in all directions.
+struct FloorWaves {
+    double highest_m = 0.0;  ///< above and below z = 0; 0: a plane
+    std::uint64_t seed = 0;
+};
+
+/// The floor, the plane z = 0 with its waves, and the solids on it. World frame: z up, metres.
 struct World {
     std::string name;
     Look floor{Surface::Carpet, 128.0, 1};
     std::vector<Solid> solids;
     Pose2 start;                          ///< where a robot starts
     std::optional<Eigen::Vector2d> goal;  ///< where it is to go, if the world says so
+    FloorWaves waves = {};                ///< drawn by the ray caster only
+    double sky_grey = 215.0;              ///< grey level where a ray meets neither floor nor solid
+    double shading = 0.0;  ///< share of the light that depends on a face's direction, 0..1; ray caster only
 };
+
+/// Height of the floor at a point of the world frame, metres.
+double ground_height_m(const World& world, const Eigen::Vector2d& at_m);
+
+/// Seconds since the epoch at which every simulated world starts.
+constexpr double sim_start_s = 1767225600.0;
 
 }  // namespace flownav::sim

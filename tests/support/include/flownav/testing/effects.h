@@ -5,8 +5,7 @@
 
 namespace flownav::testing {
 
-/// What the camera and the floor do to a whole drive. Everything is drawn anew for every image, from the
-/// seed.
+/// Effects of the camera and the floor on a whole drive. All are drawn anew for every image, from the seed.
 struct CameraEffects {
     double noise_sigma = 2.5;    ///< grey levels
     double gain_sigma = 0.0;     ///< of the exposure from image to image

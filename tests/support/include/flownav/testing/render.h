@@ -7,7 +7,7 @@
 
 namespace flownav::testing {
 
-/// What the camera and the drive do to ONE image, beside the view.
+/// Effects of the camera and the drive on ONE image.
 struct ImageEffects {
     double gain = 1.0;
     double offset = 0.0;       ///< grey levels
@@ -20,7 +20,7 @@ struct ImageEffects {
     double height_m = 0.0;  ///< added to the mount: uneven floor
 };
 
-/// The camera with the image's vibration and floor added to its mount: what really took the image.
+/// The camera with the image's vibration and floor added to its mount: the camera that really took the image.
 CameraModel with_effects(CameraModel camera, const ImageEffects& effects);
 
 /// Renders the world as the view sees it. Integer pixel coordinates are pixel centres. Deterministic: the

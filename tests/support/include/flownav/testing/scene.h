@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "flownav/core/field.h"
+#include "flownav/math/units.h"
 #include "flownav/testing/camera.h"
 #include "flownav/testing/effects.h"
 #include "flownav/testing/truth.h"
@@ -31,6 +32,9 @@ constexpr std::array<SceneKind, 8> all_scene_kinds = {
 const char* to_string(SceneKind kind);
 std::optional<SceneKind> scene_kind(const std::string& name);
 
+/// The floor of a name: carpet, tiles, lino, plain, stoneware or marbled.
+std::optional<Surface> floor_surface(const std::string& name);
+
 /// The box that crosses the way in SceneKind::Mover. It keeps ahead of the robot.
 struct MoverOptions {
     double speed_mps = 0.25;  ///< across, to the right
@@ -45,13 +49,13 @@ struct SceneOptions {
     int images = 120;
     double rate_hz = 25.0;
     double speed_mps = 0.4;
-    double turn_radps = 30.0 * M_PI / 180.0;  ///< fastest turn of SCurve and Turns
+    double turn_radps = 30.0 * degree_rad;  ///< fastest turn of SCurve and Turns
     Surface floor = Surface::Carpet;
     CameraModel camera = standard_camera();  ///< of a frame
     bool interlaced = false;                 ///< fields of alternating parity, the top one first
     bool rails = false;                      ///< railings along the way, too
-    bool near_boxes = false;     ///< boxes 0.28 m beside the path: nearer than anything else may stand
-    double floor_waves_m = 0.0;  ///< bumps of the floor, up and down; the robot rides on them
+    bool near_boxes = false;                 ///< boxes 0.28 m beside the path; other objects keep 0.5 m
+    double floor_waves_m = 0.0;              ///< bumps of the floor, up and down; the robot rides on them
     MoverOptions mover;
     CameraEffects effects;  ///< its seed is made from the scene's
 };
@@ -83,7 +87,7 @@ View true_view(const Scene& scene, int i);
 GreyImage render_image(const Scene& scene, int i);
 
 /// Seconds since the epoch at which every scene starts.
-constexpr double scene_start_s = 1767225600.0;
+constexpr double scene_start_s = sim::sim_start_s;
 
 /// Image i as the sensor gets it, with the nominal camera.
 Field make_field(const Scene& scene, int i);
