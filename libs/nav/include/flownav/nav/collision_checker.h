@@ -14,13 +14,13 @@ namespace flownav::nav {
 
 struct ContactRule;
 
-/// A cell of something that stands there.
+/// Occupied cell near the robot.
 struct NearObstacle {
     Eigen::Vector2d at_m = Eigen::Vector2d::Zero();  ///< robot frame
     double distance_m = 0.0;  ///< from the footprint; < 0: a little inside it, as a map is not exact
 };
 
-/// Where a robot stands, how it moves, and what is near.
+/// Pose and motion of the robot, and the obstacles near it.
 struct Surroundings {
     double time_s = 0.0;
     Pose2 T_map_robot;
@@ -29,14 +29,14 @@ struct Surroundings {
     double nearest_m = 0.0;               ///< the least distance of those outside the footprint
 };
 
-/// What a command, and a stop right after it, would lead to.
+/// Result of a command that is followed by a stop.
 struct Forecast {
     bool touches = false;
     bool unseen = false;
     Eigen::Vector2d where_m = Eigen::Vector2d::Zero();  ///< the obstacle, robot frame
 };
 
-/// Looks ahead along the way a robot takes until it stands.
+/// Checks the path of the robot until it stands, against obstacles and unseen ground.
 class CollisionChecker {
   public:
     CollisionChecker(const RobotModel& robot, const CollisionCheckerParams& params, double cell_m);
@@ -49,7 +49,7 @@ class CollisionChecker {
                       const std::deque<TimedCommand>& sent, const MotionCommand& candidate,
                       double hold_s) const;
 
-    /// Of the fastest point of the outline, at most.
+    /// Upper bound of the speed of the fastest point of the outline.
     double outline_mps(const MotionCommand& command) const;
 
   private:

@@ -19,8 +19,8 @@ enum class Ground : unsigned char {
     Occupied
 };
 
-/// What is known of the ground around the robot, in the map frame: what the last local maps showed, and where
-/// the robot itself has been. The newest word on a cell holds; a map that says nothing changes nothing.
+/// Memory of the ground around the robot, map frame: cells of the last local maps, and ground that
+/// the robot drove over. The newest evidence of a cell holds; unknown cells of a map change nothing.
 class GroundMemory {
   public:
     explicit GroundMemory(const GroundMemoryParams& params);
@@ -28,7 +28,7 @@ class GroundMemory {
     /// A local map (robot frame) and where the robot was. Returns how many cells are free that were unknown.
     int note(const mrpt::maps::COccupancyGridMap2D& local_map, double time_s, const Pose2& T_map_robot);
 
-    /// The robot stands here: nothing else does.
+    /// Marks the ground under the robot as driven.
     void mark_traversed(const Polygon& footprint_m, double time_s, const Pose2& T_map_robot);
 
     Ground at(const Eigen::Vector2d& at_m, double time_s) const;
@@ -42,7 +42,7 @@ class GroundMemory {
   private:
     struct Known {
         Ground ground = Ground::Unknown;
-        double until_s = 0.0;  ///< when it is forgotten
+        double until_s = 0.0;  ///< time at which the cell is forgotten
     };
 
     Ground at(const Eigen::Vector2i& cell, double time_s) const;

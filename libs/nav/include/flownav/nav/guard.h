@@ -21,15 +21,15 @@
 
 namespace flownav::nav {
 
-/// What the motors are told, and why it is not what the navigator wants.
+/// Command for the motors, and the reason when it differs from the proposal.
 struct SafetyDecision {
     MotionCommand command;
     GuardAction action = GuardAction::Pass;
     GuardReason reason = GuardReason::None;
-    std::string why;  ///< a sentence; empty: passed
+    std::string why;  ///< a sentence; empty when the command passed
 };
 
-/// One line of the log: the verdict changed.
+/// Entry of the log: the decision changed.
 struct GuardEvent {
     double time_s = 0.0;
     GuardAction action = GuardAction::Pass;
@@ -45,17 +45,17 @@ class Guard {
   public:
     Guard(const RobotModel& robot, const GuardParams& params);
 
-    /// A field was worked on.
+    /// Takes the report of a processed field.
     void sensed(const SensorReport& report);
-    /// A pose of the wheels.
+    /// Takes a pose of the wheels.
     void odometry(double time_s, const Pose2& T_odom_robot);
     /// A local map (robot frame, probability of being FREE) as of `time_s`, and where the robot was then. To
     /// be called after each cycle of the sensor, of a standing robot too.
     void mapped(const mrpt::maps::COccupancyGridMap2D& local_map, double time_s, const Pose2& T_map_robot);
-    /// What the navigator wants; also its heartbeat.
+    /// Takes the proposal of the navigator, which is also its heartbeat.
     void proposed(double time_s, const MotionCommand& command);
 
-    /// What the motors are to do now. `T_map_robot`, `motion`: where the robot is and how it moves.
+    /// Returns the command for the motors. `T_map_robot`, `motion`: pose and motion of the robot now.
     SafetyDecision check(double time_s, const Pose2& T_map_robot, const MotionCommand& motion);
 
     /// The changes so far, at most events_max (the oldest are dropped).
@@ -86,20 +86,20 @@ class Guard {
     CollisionChecker collision_checker_;
     std::optional<TimedCommand> proposal_;
     std::optional<double> map_s_;
-    std::optional<Moment> last_;             ///< judgement
-    std::deque<TimedCommand> sent_;          ///< to the motors, of the last delay
-    double hold_s_;                          ///< a command is in force for so long at the most
+    std::optional<Moment> last_;             ///< of the last check()
+    std::deque<TimedCommand> sent_;          ///< commands to the motors within the last delay
+    double hold_s_;                          ///< longest time that a command is in force
     double jumped_s_ = -1e9;                 ///< when T_map_robot jumped
     Fault holding_;                          ///< why the robot stands
-    double fault_s_ = -1e9;                  ///< when something was wrong last
-    bool probe_wanted_ = false;              ///< before it may go on
+    double fault_s_ = -1e9;                  ///< time of the last fault
+    bool probe_wanted_ = false;              ///< the robot must probe before it drives on
     std::optional<double> probing_since_s_;  ///< crawling until flow and wheels agree
     double probe_pause_s_ = 0.0;
-    std::optional<double> standing_since_s_;  ///< it may have turned meanwhile
+    std::optional<double> standing_since_s_;  ///< turning in place counts as standing
     bool over_unseen_ = false;                ///< the last command leads over unseen ground
-    double crept_m_ = 0.0;                    ///< like that, since new ground was seen
+    double crept_m_ = 0.0;                    ///< way over unseen ground since new ground was seen
     std::deque<GuardEvent> events_;
-    std::optional<double> milder_since_s_;  ///< than the last event
+    std::optional<double> milder_since_s_;  ///< since when the decision is milder than the last event
 };
 
 }  // namespace flownav::nav

@@ -14,7 +14,7 @@
 
 namespace flownav::nav {
 
-/// What one field, or one scan, brought.
+/// Results of one field, or of one scan.
 struct SensorUpdate {
     SensorReport report;  ///< of another sensor: timestamp_s and end_of_cycle only
     bool by_camera = true;
@@ -23,9 +23,9 @@ struct SensorUpdate {
     std::vector<GroundPatch> ground;     ///< robot frame at report.timestamp_s
 };
 
-/// Everything between sensor and motors: pose, maps, recovery manager and guard. Fed with what arrives, in
-/// the order in which it arrives, and asked for a command as often as the motors want one. No clock: all
-/// times are the caller's. The map's frame is the one `start` was given in.
+/// Pose, maps, recovery manager and guard between sensor and motors. Takes readings in the order of their
+/// arrival, and gives a command whenever the motors need one. All times are those of the caller. The map has
+/// the frame of `start`.
 class NavigationStack {
   public:
     NavigationStack(const NavigationParams& navigation, const mapping::MapParams& map,
@@ -34,14 +34,14 @@ class NavigationStack {
     using FaultInjection =
         std::function<std::optional<MotionCommand>(double time_s, const MotionCommand& proposed)>;
 
-    /// Pose and motion of the robot as its wheels have it.
+    /// Takes pose and motion of the robot by its wheels.
     void odometry(double time_s, const Pose2& T_odom_robot, const MotionCommand& motion);
 
-    /// Has just arrived.
+    /// Takes a reading that has just arrived.
     void update(const SensorUpdate& update);
 
-    /// What the motors are to do. The navigator is asked when its period has passed. Times rise. `fault
-    /// injection` is for tests: what the guard hears instead of the navigator's proposal, if anything.
+    /// Command for the motors. The navigator is asked when its period has passed. Times rise.
+    /// `fault_injection` is for tests: it replaces the navigator's proposal unless it returns an empty value.
     MotionCommand command(double time_s, const FaultInjection& fault_injection = {});
 
     // What it thinks, for logs and pictures.

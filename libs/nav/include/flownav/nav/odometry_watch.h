@@ -12,7 +12,7 @@
 
 namespace flownav::nav {
 
-/// Whether flow and wheels tell the same motion.
+/// Compares the motion by flow with the motion by the wheels.
 class OdometryWatch {
   public:
     OdometryWatch(const RobotModel& robot, const OdometryWatchParams& params)
@@ -22,10 +22,10 @@ class OdometryWatch {
 
     void odometry(double time_s, const Pose2& T_odom_robot);
     void sensed(const SensorReport& report);
-    /// What is wrong at `time_s`. Forgets what is dated in the future.
+    /// Fault at `time_s`. Forgets readings that are dated in the future.
     Fault fault(double time_s);
 
-    /// Flow and wheels agreed about a motion that both measured, after `since_s`.
+    /// True when flow and wheels agreed about a motion that both measured, after `since_s`.
     bool is_confirmed_since(double since_s) const;
 
   private:
@@ -33,7 +33,7 @@ class OdometryWatch {
         double time_s = 0.0;
         Pose2 pose;
     };
-    /// One motion, as flow and as wheels have it.
+    /// One motion by flow and by the wheels.
     struct Pair {
         double begin_s = 0.0;
         double end_s = 0.0;
@@ -56,7 +56,7 @@ class OdometryWatch {
     std::deque<Stamped> wheels_;
     std::deque<Pair> turns_;
     std::deque<Pair> ways_;
-    std::optional<SensorReport> last_;  ///< field
+    std::optional<SensorReport> last_;  ///< of the last field
     std::optional<double> cycle_s_;     ///< when the running cycle began
     int repeated_fields_ = 0;           ///< in a row
     double repeated_way_m_ = 0.0;       ///< of the outline meanwhile, by the wheels

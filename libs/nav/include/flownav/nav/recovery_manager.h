@@ -12,7 +12,7 @@
 
 namespace flownav::nav {
 
-/// What the recovery manager is doing. From Driving, when it is stuck, through the recoveries and back.
+/// State of the recovery manager.
 enum class RecoveryState {
     Driving,       ///< the navigator drives to the way point
     TurningToWay,  ///< in place, toward the plan
@@ -20,14 +20,14 @@ enum class RecoveryState {
     LookingRight,  ///< in place, past the middle
     BackingOff,    ///< straight back, over ground that was seen or driven over
     CreepingOn,    ///< slowly straight on, out of a place where it can neither turn nor back off
-    Arrived,       ///< standing at the goal; final
-    Blocked,       ///< standing, out of ideas; final
+    Arrived,       ///< standing at the goal (terminal state)
+    Blocked,       ///< all recoveries failed (terminal state)
 };
 
-/// The word of a state, as logs have it.
+/// Word of a state in logs.
 const char* to_string(RecoveryState state);
 
-/// What the recovery manager decided, and all that a log or a picture shows of it.
+/// Decision of the recovery manager, with the values that logs and pictures show.
 struct RecoveryDecision {
     RecoveryState state = RecoveryState::Driving;
     MotionCommand command;
@@ -46,14 +46,14 @@ struct RecoveryDecision {
 ///     a step that the guard does not allow is left out
 ///     Driving -> (goal reached) -> Arrived       Driving -> (recoveries_max in one place) -> Blocked
 ///
-/// Decides from what it is given; no clock.
+/// All times are those of the caller.
 class RecoveryManager {
   public:
     /// `goals_m`: way points in the map frame, the last one is the goal. Throws std::invalid_argument: none.
     RecoveryManager(const RobotModel& robot, const RecoveryParams& params,
                     std::unique_ptr<Navigator> navigator, std::vector<Eigen::Vector2d> goals_m);
 
-    /// A robot that follows a way point fixed in ITS OWN frame, for ever. Its recoveries are BackingOff
+    /// A robot that follows a way point fixed in its own frame, without end. Its recoveries are BackingOff
     /// alone, and BackingOff, LookingLeft, LookingRight.
     RecoveryManager(const RobotModel& robot, const RecoveryParams& params,
                     std::unique_ptr<Navigator> navigator, const Eigen::Vector2d& waypoint_robot_m);
@@ -90,14 +90,14 @@ class RecoveryManager {
     std::unique_ptr<Navigator> navigator_;
     std::vector<Eigen::Vector2d> goals_m_;
     std::optional<Eigen::Vector2d> waypoint_robot_m_;
-    std::size_t goal_ = 0;  ///< the one that is driven to
+    std::size_t goal_ = 0;  ///< index of the goal that is driven to
     RecoveryDecision decision_;
     std::optional<Plan> plan_;
     Progress best_;  ///< nearest to the goal so far, and when
     std::optional<double> stuck_since_s_;
     double moved_s_ = 0.0;  ///< when it last moved, or did not want to
     Pose2 moved_to_;
-    std::deque<Pose2> trail_;              ///< where it came from, map frame
+    std::deque<Pose2> trail_;              ///< poses passed, map frame
     bool planning_ = false;                ///< ReplanPolicy::WhenStuck: until the next goal
     int recoveries_ = 0;                   ///< since the last progress
     std::vector<RecoveryState> sequence_;  ///< of the running recovery, the next step last

@@ -9,15 +9,15 @@
 
 namespace flownav::nav {
 
-/// Whether the flow sensor sees, from its reports. Standing still is not blind: a standing camera has as
-/// many confident vectors as a moving one, all of them zero.
+/// Detects a blind, stale or lost flow sensor from its reports. Standing still is not blind: a standing
+/// camera has as many confident vectors as a moving one, all of them zero.
 class SensorWatch {
   public:
     explicit SensorWatch(const SensorWatchParams& params) : params_(params) {}
 
     void sensed(const SensorReport& report);
 
-    /// What is wrong at `time_s`; called at least as often as fields come, times rise.
+    /// Fault at `time_s`. To be called at least once per field, with rising times.
     Fault fault(double time_s);
 
     /// True when only some sectors of the image are blind.
@@ -31,10 +31,10 @@ class SensorWatch {
 
     SensorWatchParams params_;
     std::optional<SensorReport> newest_;
-    bool arrived_ = false;  ///< since the last question
+    bool arrived_ = false;  ///< a field arrived since the last fault()
     double last_arrival_s_ = 0.0;
     double last_ok_s_ = 0.0;    ///< time stamp of the last field with enough vectors and omega
-    double last_seen_s_ = 0.0;  ///< and with enough vectors
+    double last_seen_s_ = 0.0;  ///< time stamp of the last field with enough vectors
     std::array<std::optional<double>, SensorReport::sectors> blind_since_s_;
     bool partly_blind_ = false;
 };
