@@ -9,18 +9,26 @@ namespace {
 constexpr double cells_max = 2000.0;    // along the edge of the local map
 constexpr double around_robot_m = 0.4;  // strip of the local map around the robot
 
-void check_guard(const nav::GuardParams& guard) {
-    if (guard.probe_wait_s <= guard.probe_max_s) return;
+/// Throws ConfigError when the value of the first key is above that of the second.
+void require_in_order(const char* key, double value, const char* upper_key, double upper) {
+    if (value <= upper) return;
     std::ostringstream text;
-    text << "guard.probe_wait_s = " << guard.probe_wait_s
-         << ": is more than guard.probe_max_s; allowed: up to " << guard.probe_max_s;
+    text << key << " = " << value << ": is more than " << upper_key << "; allowed: up to " << upper;
     throw ConfigError(text.str());
+}
+
+void check_occupancy(const mapping::OccupancyLimits& limits) {
+    require_in_order("map.obstacle_below", limits.obstacle_below, "map.doubtful_below",
+                     limits.doubtful_below);
+    require_in_order("map.plan_certain_below", limits.plan_certain_below, "map.plan_obstacle_below",
+                     limits.plan_obstacle_below);
 }
 
 }  // namespace
 
 void check_map(const Config& config) {
     const mapping::MapParams& map = config.map;
+    check_occupancy(map.occupancy);
     if (map.size_m <= cells_max * map.resolution_m) return;
     std::ostringstream text;
     text << "map.size_m = " << map.size_m << ": with map.resolution_m = " << map.resolution_m << " these are "
@@ -30,7 +38,8 @@ void check_map(const Config& config) {
 }
 
 void check_navigation(const Config& config) {
-    check_guard(config.guard);
+    require_in_order("guard.probe_wait_s", config.guard.probe_wait_s, "guard.probe_max_s",
+                     config.guard.probe_max_s);
     const double radius_m = circumscribed_radius_m(config.navigation.robot.footprint_m);
     const double least_m = 2.0 * (radius_m + around_robot_m);
     if (config.map.size_m > least_m) return;

@@ -80,6 +80,19 @@ TEST(Config, LimitsOfCellsLieOnTheirSideOfTheUnknown) {
     }
 }
 
+TEST(Config, LimitsOfCellsInTheWrongOrderAreRefusedByName) {
+    EXPECT_NO_THROW(check_map(with("map.obstacle_below", "0.47")));
+    EXPECT_THROW(check_map(with("map.obstacle_below", "0.48")), ConfigError);
+    EXPECT_NO_THROW(check_map(with("map.plan_certain_below", "0.45")));
+    try {
+        check_map(with("map.plan_certain_below", "0.46"));
+        FAIL() << "accepted";
+    } catch (const ConfigError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "map.plan_certain_below = 0.46: is more than map.plan_obstacle_below; allowed: up to 0.45");
+    }
+}
+
 // Converts a unit to its form in names: m/s^2 becomes mps2.
 std::string in_a_name(std::string unit) {
     std::replace(unit.begin(), unit.end(), '/', 'p');
