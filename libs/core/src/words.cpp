@@ -1,3 +1,5 @@
+#include "flownav/core/contact_scan.h"
+#include "flownav/core/ego_motion.h"
 #include "flownav/core/field_status.h"
 #include "flownav/core/flow_vector.h"
 
@@ -53,6 +55,50 @@ const char* to_string(BlockLabel label) {
             return "unsupported";
         case BlockLabel::Unjudged:
             return "unjudged";
+    }
+    return "unknown";
+}
+
+const char* to_string(BeamCause cause) {
+    switch (cause) {
+        case BeamCause::None:
+            return "none";
+        case BeamCause::Blocks:
+            return "blocks";
+        case BeamCause::Votes:
+            return "votes";
+        case BeamCause::Wall:
+            return "wall";
+        case BeamCause::Drop:
+            return "drop";
+    }
+    return "unknown";
+}
+
+const char* to_string(ContactGate gate) {
+    switch (gate) {
+        case ContactGate::Open:
+            return "open";
+        case ContactGate::Off:
+            return "off";
+        case ContactGate::NoTravel:
+            return "no_travel";
+        case ContactGate::PoorFloor:
+            return "poor_floor";
+    }
+    return "unknown";
+}
+
+const char* to_string(MotionSource source) {
+    switch (source) {
+        case MotionSource::Prediction:
+            return "prediction";
+        case MotionSource::Flow:
+            return "flow";
+        case MotionSource::Wheels:
+            return "wheels";
+        case MotionSource::Gyro:
+            return "gyro";
     }
     return "unknown";
 }

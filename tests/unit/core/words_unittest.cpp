@@ -4,12 +4,22 @@
 #include <set>
 #include <string>
 
+#include "flownav/core/contact_scan.h"
+#include "flownav/core/ego_motion.h"
 #include "flownav/core/field_status.h"
 #include "flownav/core/flow_vector.h"
 #include "flownav/core/version.h"
 
 namespace flownav {
 namespace {
+
+template <typename Word>
+void expect_words_to_differ(Word last) {
+    std::set<std::string> words;
+    for (int i = 0; i <= static_cast<int>(last); ++i) words.insert(to_string(static_cast<Word>(i)));
+    EXPECT_EQ(words.size(), static_cast<std::size_t>(last) + 1);
+    EXPECT_EQ(words.count("unknown"), 0U);
+}
 
 TEST(Words, EveryStatusHasItsOwn) {
     std::set<std::string> words;
@@ -18,11 +28,13 @@ TEST(Words, EveryStatusHasItsOwn) {
 }
 
 TEST(Words, EveryFateHasItsOwn) {
-    std::set<std::string> words;
-    for (int i = 0; i <= static_cast<int>(BlockLabel::Unjudged); ++i)
-        words.insert(to_string(static_cast<BlockLabel>(i)));
-    EXPECT_EQ(words.size(), 8U);
-    EXPECT_EQ(words.count("unknown"), 0U);
+    expect_words_to_differ(BlockLabel::Unjudged);
+}
+
+TEST(Words, EveryCauseGateAndSourceHasItsOwn) {
+    expect_words_to_differ(BeamCause::Drop);
+    expect_words_to_differ(ContactGate::PoorFloor);
+    expect_words_to_differ(MotionSource::Gyro);
 }
 
 TEST(Version, HasThreeNumbers) {

@@ -9,9 +9,24 @@ enum class BeamKind {
     Obstacle,  ///< the nearest obstacle stands at range_m
 };
 
+/// How an obstacle was found.
+enum class BeamCause {
+    None,    ///< the beam is not an obstacle
+    Blocks,  ///< points of blocks, Eq. (13)
+    Votes,   ///< pixels that do not move as the floor does
+    Wall,    ///< a surface without edges from above the horizon down to its first edge
+    Drop,    ///< the floor ends: what is seen there lies below it
+};
+
+/// Name of a cause, as written to files.
+const char* to_string(BeamCause cause);
+
 struct Beam {
     BeamKind kind = BeamKind::Unknown;
     double range_m = 0.0;
+    BeamCause cause = BeamCause::None;
+    double near_m = 0.0;  ///< of an obstacle: it stands between near_m
+    double far_m = 0.0;   ///< and far_m
 };
 
 /// A horizontal scan about the robot's axis. Beam i covers the bearings

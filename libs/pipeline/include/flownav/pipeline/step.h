@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "flownav/core/contact_scan.h"
 #include "flownav/core/ego_motion.h"
 #include "flownav/core/field_status.h"
 #include "flownav/core/flow_vector.h"
@@ -66,6 +67,8 @@ struct Step {
     std::vector<ObstaclePoint> obstacles;  ///< robot frame at timestamp_s; only at the end of a cycle
     std::vector<GroundPatch> ground;       ///< robot frame at timestamp_s; only at the end of a cycle
     VirtualScan scan;                      ///< only at the end of a cycle
+    bool new_contacts = false;             ///< `contacts` are new with this field
+    ContactScan contacts;                  ///< of the last scanned cycle
 };
 
 }  // namespace flownav::pipeline
