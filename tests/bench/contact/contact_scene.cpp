@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <memory>
 
 #include "flownav/core/unicycle.h"
 #include "flownav/sim/random.h"
@@ -33,7 +35,7 @@ Kind kind_of(Things things) {
             return {0.35, 0.65, 0.9};
         case Things::Walls:
             return {0.12, 1.6, 2.2};
-        case Things::Mats:
+        default:
             break;
     }
     return {0.5, 0.0, 0.5};
@@ -102,9 +104,44 @@ void add_thing(Things things, const Vector2d& at_m, sim::Random& random, int obj
     }
 }
 
+/// Adds the one thing straight ahead, its near face at `ahead_m`, a few centimetres beside the way.
+void add_ahead(const SceneOptions& options, sim::Random& random, sim::World& world) {
+    const double grey = std::round(random.uniform(6.0, 20.0)) * 10.0;
+    const double side_m = random.uniform(-0.15, 0.15);
+    const auto add = [&](const sim::Shape& shape, const Vector2d& at_m, double middle_m, double shade) {
+        world.solids.push_back(solid(shape, at_m, middle_m, 0.0, shade));
+        world.solids.back().object = 1;
+        world.solids.back().name = to_string(options.things);
+    };
+    const double x = options.ahead_m;
+    if (options.things == Things::PostAhead) {
+        add(sim::Cylinder{0.075, 0.5}, {x + 0.075, side_m}, 0.25, grey);
+    } else if (options.things == Things::BoxAhead) {
+        add(sim::Box{{0.3, 0.3, 0.24}}, {x + 0.15, side_m}, 0.12, grey);
+    } else if (options.things == Things::LowBoxAhead) {
+        add(sim::Box{{0.3, 0.3, 0.12}}, {x + 0.15, side_m}, 0.06, grey);
+    } else if (options.things == Things::EndAhead) {
+        add(sim::Box{{0.1, 2.0, 2.4}}, {x + 0.05, side_m + (side_m > 0.0 ? 1.0 : -1.0)}, 1.2, grey);
+    } else if (options.things == Things::WallAhead) {
+        add(sim::Box{{0.1, 8.0, 2.4}}, {x + 0.05, side_m}, 1.2, grey);
+    } else {
+        for (int i = 0; i < 6; ++i) {
+            const double at_x = random.uniform(0.8, x);
+            const Vector3d size(random.uniform(0.05, 0.6), random.uniform(0.2, 1.5), 0.002);
+            add(sim::Box{size}, {at_x, random.uniform(-0.4, 0.4)}, 0.001,
+                std::round(random.uniform(4.0, 22.0)) * 10.0);
+        }
+    }
+}
+
 sim::World world_of(const SceneOptions& options, const std::vector<Pose2>& path) {
     sim::World world;
     world.floor = {options.floor, 128.0, options.seed};
+    if (is_ahead(options.things)) {
+        sim::Random random(options.seed * 97 + static_cast<std::uint64_t>(options.things));
+        add_ahead(options, random, world);
+        return world;
+    }
     Vector2d low(1e9, 1e9);
     Vector2d high(-1e9, -1e9);
     for (const Pose2& p : path) {
@@ -130,6 +167,10 @@ sim::World world_of(const SceneOptions& options, const std::vector<Pose2>& path)
 
 }  // namespace
 
+bool is_ahead(Things things) {
+    return things >= Things::PostAhead;
+}
+
 const char* to_string(Things things) {
     switch (things) {
         case Things::Posts:
@@ -140,6 +181,18 @@ const char* to_string(Things things) {
             return "walls";
         case Things::Mats:
             return "mats";
+        case Things::PostAhead:
+            return "post ahead";
+        case Things::BoxAhead:
+            return "box ahead";
+        case Things::LowBoxAhead:
+            return "low box ahead";
+        case Things::EndAhead:
+            return "wall end ahead";
+        case Things::WallAhead:
+            return "wall ahead";
+        case Things::MatsAhead:
+            return "mats ahead";
     }
     return "";
 }
@@ -147,17 +200,36 @@ const char* to_string(Things things) {
 RecordedScene record(const SceneOptions& options, const sim::CameraSimParams& camera) {
     RecordedScene scene;
     scene.options = options;
-    const std::vector<Pose2> path = weave(options);
+    const std::vector<Pose2> path = weave(options);  // straight without a turn rate
     scene.world = world_of(options, path);
-    sim::CameraSimulator simulator(scene.world, camera);
+    const std::string cache = "/tmp/contact_cache/" + std::string(to_string(options.things)) + "_" + std::to_string(static_cast<int>(options.floor)) + "_" + std::to_string(options.seed) + "_" + std::to_string(static_cast<int>(options.seconds));
+    FILE* in = std::fopen(cache.c_str(), "rb");
+    FILE* outf = in ? nullptr : std::fopen((cache + ".part").c_str(), "wb");
+    std::unique_ptr<sim::CameraSimulator> simulator;
+    if (!in) simulator = std::make_unique<sim::CameraSimulator>(scene.world, camera);
     const int images = static_cast<int>(options.seconds * camera.rate_hz);
     for (int i = 0; i < images; ++i) {
         const double time_s = i / camera.rate_hz;
         const auto moment = static_cast<std::size_t>(std::lround(time_s / step_s));
         if (moment >= path.size()) break;
         scene.poses.push_back(path[moment]);
-        scene.fields.push_back(simulator.take(i, path[moment], time_s));
+        if (in) {
+            auto px = std::make_shared<std::vector<std::uint8_t>>(640 * 480);
+            if (std::fread(px->data(), 1, px->size(), in) != px->size()) break;
+            Field f;
+            f.timestamp_s = sim::sim_start_s + time_s;
+            f.image = {px->data(), 640, 480, 640};
+            f.camera = camera.camera;
+            f.owner = px;
+            scene.fields.push_back(f);
+            continue;
+        }
+        scene.fields.push_back(simulator->take(i, path[moment], time_s));
+        const ImageView& im = scene.fields.back().image;
+        for (int v = 0; v < 480; ++v) std::fwrite(im.row(v), 1, 640, outf);
     }
+    if (in) std::fclose(in);
+    if (outf) { std::fclose(outf); std::rename((cache + ".part").c_str(), cache.c_str()); }
     return scene;
 }
 

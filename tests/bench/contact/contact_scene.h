@@ -9,8 +9,21 @@
 
 namespace flownav::contact_bench {
 
-/// Things of one colour that stand beside the way.
-enum class Things { Posts, Boxes, Walls, Mats };
+/// Things of one colour: many beside a weaving way, or one straight ahead.
+enum class Things {
+    Posts,
+    Boxes,
+    Walls,
+    Mats,
+    PostAhead,
+    BoxAhead,
+    LowBoxAhead,
+    EndAhead,
+    WallAhead,
+    MatsAhead
+};
+
+bool is_ahead(Things things);
 
 const char* to_string(Things things);
 
@@ -20,6 +33,7 @@ struct SceneOptions {
     double speed_mps = 0.8;
     double turn_radps = 0.3;
     double seconds = 12.0;
+    double ahead_m = 4.3;  ///< from the start to the thing straight ahead
     std::uint64_t seed = 1;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
+#include "flownav/obstacles/contact_scanner.h"
 #include <limits>
 #include <map>
 
@@ -108,6 +110,7 @@ class Judge {
             const Vector2d at_m = transform(scene_.poses[image], point_of(scan, right, s.contact_m));
             contacts_.push_back(at_m);
             const double off_m = nearest_surface_m(at_m);
+            if (std::getenv("DBG") && off_m > std::max(0.3, 0.12 * s.contact_m)) std::cerr << "noise scan " << score_.scans << " strip " << right << " at " << s.contact_m << " [" << s.near_m << "," << s.far_m << "] score " << s.score << " off " << off_m << " " << to_string(s.cause) << "\n";
             score_.false_strips += off_m > std::max(0.3, 0.12 * s.contact_m);
             score_.gross_strips += off_m > std::max(0.5, 0.25 * s.contact_m);
         }
@@ -207,6 +210,28 @@ void Score::add(const Score& o) {
 Score evaluate(const RecordedScene& scene, const config::Config& config) {
     Score score;
     Judge judge(scene, score);
+    if (std::getenv("BY_WHEELS")) {
+        obstacles::ContactMemory memory;
+        const RayMapper mapper(scene.fields[0].camera);
+        obstacles::restart(memory, mapper);
+        pipeline::Step step;
+        const int every = 5;
+        Pose2 odo;
+        for (std::size_t i = 0; i < scene.fields.size(); i += every) {
+            if (i > 0) {
+                Pose2 d = compose(inverse(scene.poses[i - every]), scene.poses[i]);
+                const double k = std::getenv("EXACT") ? 0 : 1;
+                d = along_arc(d.yaw_rad * (1 + .01 * k), std::hypot(d.x_m, d.y_m) * (1 + 0.006 * k), std::atan2(d.y_m, d.x_m) - d.yaw_rad / 2);
+                odo = compose(odo, d);
+            }
+            step.new_contacts = obstacles::scan_cycle(memory, {scene.fields[i].image, mapper, odo, 0.0, 0.015, true}, {}, step.contacts);
+            judge.field(step, i);
+            score.noise += memory.noise;
+        }
+        std::cerr << "noise " << memory.noise << "\n";
+        judge.finish();
+        return score;
+    }
     pipeline::State state = config::make_state(config);
     for (std::size_t i = 0; i < scene.fields.size(); ++i)
         judge.field(pipeline::step(state, scene.fields[i]), i);

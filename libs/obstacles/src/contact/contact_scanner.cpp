@@ -6,6 +6,7 @@
 
 #include "flownav/core/plane_geometry.h"
 #include "flownav/obstacles/strip_rules.h"
+#include "set_obstacle.h"
 #include "strip_grid.h"
 
 namespace flownav::obstacles {
@@ -13,9 +14,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double vignetting_gain = 0.2;  // of one scan
+constexpr double learning_min = 0.1;  // weight of one scan for what is learnt
 constexpr double vignetting_max = 0.6;
-constexpr double noise_gain = 0.2;
 constexpr double noise_min = 0.4;
 constexpr double noise_max = 6.0;
 constexpr double turn_max_rad = 0.6;  // between the images of a scan
@@ -24,17 +24,20 @@ constexpr double own_share = 0.15;   // of the votes of three strips: those of t
 constexpr int confirming_scans = 2;  // so many scans back
 constexpr double same_place_m = 0.2;
 constexpr double same_place_share = 0.12;  // of the distance
+constexpr int hole_strips = 2;             // most strips inside a surface without votes
 constexpr double one_surface = 0.3;        // largest relative step of range between strips of one surface
 
 double way_m(const Pose2& a, const Pose2& b) {
     return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
 }
 
+/// Learns fall-off and noise from the comparison: the first scans count fully, later ones little.
 void learn(ContactMemory& memory) {
     const FloorComparison& c = memory.comparison;
-    memory.vignetting = std::clamp(memory.vignetting + vignetting_gain * c.vignetting, 0.0, vignetting_max);
-    if (c.noise > 0.0)
-        memory.noise = std::clamp(memory.noise + noise_gain * (c.noise - memory.noise), noise_min, noise_max);
+    const double gain = std::max(learning_min, 1.0 / (1.0 + memory.scans));
+    memory.vignetting = std::clamp(memory.vignetting + gain * c.vignetting, 0.0, vignetting_max);
+    memory.noise = std::clamp(memory.noise + gain * (c.noise - memory.noise), noise_min, noise_max);
+    for (int i = 0; i < memory.keys.size(); ++i) take_out_vignetting(memory.keys[i].image, memory.vignetting);
 }
 
 void gather_evidence(const KeyImage& newer, const StripGrid& grid, const ContactParams& params,
@@ -83,14 +86,6 @@ double smooth_m(const std::vector<StripEvidence>& strips, int strip) {
     return sum / weight;
 }
 
-void set_obstacle(ContactStrip& strip, BeamCause cause, double forward_m, double near_m, double far_m) {
-    strip.kind = BeamKind::Obstacle;
-    strip.cause = cause;
-    strip.contact_m = forward_m;
-    strip.near_m = std::min(near_m, forward_m);
-    strip.far_m = std::max(far_m, forward_m);
-}
-
 /// Votes and walls become obstacles; returns the contacts that later scans may confirm in memory.earlier.
 void decide_obstacles(ContactMemory& memory, const Pose2& T_start_robot, const ContactParams& params,
                       ContactScan& out) {
@@ -109,6 +104,28 @@ void decide_obstacles(ContactMemory& memory, const Pose2& T_start_robot, const C
         }
         if (e.wall_m > 0.0 && (strip.kind != BeamKind::Obstacle || e.wall_m < strip.contact_m))
             set_obstacle(strip, BeamCause::Wall, e.wall_m, 0.95 * e.wall_m, 1.05 * e.wall_m);
+    }
+}
+
+/// The inside of a surface of one colour has no votes: a strip between two contacts of one surface is one as
+/// well.
+void fill_holes(ContactScan& out) {
+    const int strips = static_cast<int>(out.strips.size());
+    const auto at = [&](int s) -> ContactStrip& { return out.strips[static_cast<std::size_t>(s)]; };
+    for (int s = 0; s + 2 < strips; ++s) {
+        if (at(s).kind != BeamKind::Obstacle || at(s + 1).kind == BeamKind::Obstacle) continue;
+        for (int end = s + 2; end <= std::min(s + hole_strips + 1, strips - 1); ++end) {
+            if (at(end).kind != BeamKind::Obstacle) continue;
+            const double near_m = std::min(at(s).contact_m, at(end).contact_m);
+            if (std::abs(at(s).contact_m - at(end).contact_m) > one_surface * near_m) break;
+            for (int k = s + 1; k < end; ++k) {
+                const double share = static_cast<double>(k - s) / (end - s);
+                const double forward_m = at(s).contact_m + share * (at(end).contact_m - at(s).contact_m);
+                set_obstacle(at(k), at(s).cause, forward_m, std::min(at(s).near_m, at(end).near_m),
+                             std::max(at(s).far_m, at(end).far_m));
+            }
+            break;
+        }
     }
 }
 
@@ -150,28 +167,79 @@ FloorFit floor_fit(const PairMotion& measured, const PairMotion& fitted, const C
     return fit;
 }
 
-void scan_pair(ContactMemory& memory, const CycleEnd& cycle, const ContactParams& params, ContactScan& out) {
-    const KeyImage& reference = memory.keys[0];
-    const KeyImage& newer = memory.keys[1];
-    const StripGrid grid = strip_grid(newer.image);
-    const PairMotion measured = pair_motion(reference, newer, cycle.mapper.camera().mount);
+/// Motion of a pair by odometry, and the same with the floor registered.
+struct FittedPair {
+    PairMotion measured;
+    PairMotion fitted;
+    PairWarp warp;
+};
+
+FittedPair fit_pair(const KeyImage& reference, const KeyImage& newer, const CycleEnd& cycle,
+                    ContactMemory& memory) {
+    FittedPair pair;
+    pair.measured = pair_motion(reference, newer, cycle.mapper.camera().mount);
     PairPrior prior;
-    prior.forward_m = std::max(way_error_min, cycle.way_error) * std::abs(measured.forward_m) + 1e-4;
-    prior.right_m = 0.008 * std::abs(measured.forward_m) + 1e-4;
-    const PairMotion motion =
-        register_floor(reference.image, newer.image, measured, prior, memory.noise, memory.registration);
-    const PairWarp warp = pair_warp(reference.image.camera, newer.image.camera, motion);
-    compare_with_floor(reference.image, newer.image, warp, memory.noise, memory.comparison);
-    out.floor = floor_fit(measured, motion, memory);
-    vote_for_contacts(reference.image, newer.image, warp, memory.comparison, memory.noise, Voters::All,
+    prior.forward_m = std::max(way_error_min, cycle.way_error) * std::abs(pair.measured.forward_m) + 1e-4;
+    prior.right_m = 0.008 * std::abs(pair.measured.forward_m) + 1e-4;
+    pair.fitted =
+        register_floor(reference.image, newer.image, pair.measured, prior, memory.noise, memory.registration);
+    pair.warp = pair_warp(reference.image.camera, newer.image.camera, pair.fitted);
+    return pair;
+}
+
+/// Compares the newest key image with that before it.
+void scan_short_pair(ContactMemory& memory, const CycleEnd& cycle, const ContactParams& params,
+                     ContactScan& out) {
+    const KeyImage& reference = memory.keys[1];
+    const KeyImage& newer = memory.keys[0];
+    const StripGrid grid = strip_grid(newer.image);
+    const FittedPair pair = fit_pair(reference, newer, cycle, memory);
+    compare_with_floor(reference.image, newer.image, pair.warp, memory.noise, memory.comparison);
+    if (memory.scans == 0) {
+        learn(memory);
+        compare_with_floor(reference.image, newer.image, pair.warp, memory.noise, memory.comparison);
+    }
+    out.floor = floor_fit(pair.measured, pair.fitted, memory);
+    vote_for_contacts(reference.image, newer.image, pair.warp, memory.comparison, memory.noise, Voters::All,
                       {0, grid.strips}, memory.votes);
     gather_evidence(newer, grid, params, memory);
+    learn(memory);
+}
+
+/// Index of the key image nearest to, but not under, the way of a long pair; 0: none.
+int long_reference(const KeyImages& keys) {
+    for (int i = 1; i < keys.size(); ++i)
+        if (way_m(keys[i].T_start_robot, keys[0].T_start_robot) >= cone_travel_m) return i;
+    return 0;
+}
+
+/// Compares the newest key image with one half a metre back, for the strips straight ahead.
+void scan_long_pair(ContactMemory& memory, const CycleEnd& cycle) {
+    const KeyImage& newer = memory.keys[0];
+    const int back = long_reference(memory.keys);
+    if (back == 0) return;
+    const KeyImage& reference = memory.keys[back];
+    const StripGrid grid = strip_grid(newer.image);
+    const FittedPair pair = fit_pair(reference, newer, cycle, memory);
+    compare_with_floor(reference.image, newer.image, pair.warp, memory.noise, memory.comparison);
+    ConeVotes& votes = push_cone_votes(memory.cone, newer.T_start_robot);
+    for (const Voters voters : {Voters::SteepEdges, Voters::All}) {
+        vote_for_contacts(reference.image, newer.image, pair.warp, memory.comparison, memory.noise, voters,
+                          side_strips(grid.first, grid.strips), memory.votes);
+        take_votes(newer.image, memory.votes, voters, votes);
+    }
+}
+
+void scan_pair(ContactMemory& memory, const CycleEnd& cycle, const ContactParams& params, ContactScan& out) {
+    scan_short_pair(memory, cycle, params, out);
     ++memory.scans;
     forget_old(memory);
-    decide_obstacles(memory, newer.T_start_robot, params, out);
+    decide_obstacles(memory, memory.keys[0].T_start_robot, params, out);
+    scan_long_pair(memory, cycle);
+    decide_cone(memory.cone, memory.keys[0].image, memory.keys[0].T_start_robot, out);
+    fill_holes(out);
     decide_floor(memory, out);
     out.gate = ContactGate::Open;
-    learn(memory);
 }
 
 }  // namespace
@@ -191,27 +259,28 @@ PairMotion pair_motion(const KeyImage& reference, const KeyImage& newer, const C
 
 void restart(ContactMemory& memory, const RayMapper& mapper) {
     memory.mapping = LevelMapping(mapper);
-    memory.keys_known = 0;
+    memory.keys.keep(0);
     memory.scans = 0;
     memory.earlier.clear();
+    memory.cone = {};
 }
 
 bool scan_cycle(ContactMemory& memory, const CycleEnd& cycle, const ContactParams& params, ContactScan& out) {
-    const bool has_reference = memory.keys_known > 0 && cycle.way_known;
-    if (has_reference && way_m(memory.keys[0].T_start_robot, cycle.T_start_robot) < params.travel_m) {
+    if (!cycle.way_known) memory.keys.keep(0);
+    if (memory.keys.size() > 0 &&
+        way_m(memory.keys[0].T_start_robot, cycle.T_start_robot) < params.travel_m) {
         const double turn = cycle.T_start_robot.yaw_rad - memory.keys[0].T_start_robot.yaw_rad;
         if (std::abs(wrap_angle(turn)) < turn_max_rad) return false;
-        memory.keys_known = 0;
+        memory.keys.keep(0);
     }
-    KeyImage& newer = memory.keys[1];
-    memory.mapping.apply(cycle.image, cycle.mapper, memory.vignetting, newer.image);
+    KeyImage& newer = memory.keys.push();
+    memory.mapping.apply(cycle.image, cycle.mapper, newer.image);
+    take_out_vignetting(newer.image, memory.vignetting);
     newer.T_start_robot = cycle.T_start_robot;
     newer.pitch_rad = cycle.pitch_rad;
     begin_scan(strip_grid(newer.image), cycle.mapper.camera().mount, out);
     out.gate = ContactGate::NoTravel;
-    if (has_reference && memory.keys_known > 0) scan_pair(memory, cycle, params, out);
-    std::swap(memory.keys[0], memory.keys[1]);
-    memory.keys_known = 1;
+    if (memory.keys.size() > 1) scan_pair(memory, cycle, params, out);
     return true;
 }
 

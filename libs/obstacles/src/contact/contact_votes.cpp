@@ -10,7 +10,7 @@ namespace flownav::obstacles {
 namespace {
 
 constexpr float fit_cost = 1.0F;        // of an upright surface: a pixel with less votes for it
-constexpr float against = 0.3F;         // vote of a pixel with more
+constexpr float against = 2.5F;         // vote of a pixel with more: the votes of noise cancel
 constexpr float floor_against = 0.1F;   // vote of an informative pixel of floor
 constexpr float usual_misfits = 0.15F;  // share of a row above which its votes count less than half
 constexpr double contact_nearest_m = 0.5;
@@ -117,19 +117,21 @@ void vote_for_contacts(const LevelImage& reference, const LevelImage& newer, con
     }
 }
 
+float contact_score(const StripGrid& grid, const ContactVotes& votes, int cell, int strip) {
+    float sum = 0.0F;
+    for (int s = std::max(0, strip - 1); s <= std::min(grid.strips - 1, strip + 1); ++s) {
+        float best = 0.0F;
+        for (int c = std::max(0, cell - 1); c <= std::min(grid.cells - 1, cell + 1); ++c)
+            best = std::max(best, votes.score[grid.index(c, s)]);
+        sum += best;
+    }
+    return sum;
+}
+
 Contact best_contact(const LevelImage& newer, const ContactVotes& votes, int strip, double range_min_m,
                      double range_max_m) {
     const StripGrid grid = strip_grid(newer);
-    const auto best_near = [&](int cell, int s) {
-        float best = 0.0F;
-        if (s < 0 || s >= grid.strips) return best;
-        for (int c = std::max(0, cell - 1); c <= std::min(grid.cells - 1, cell + 1); ++c)
-            best = std::max(best, votes.score[grid.index(c, s)]);
-        return best;
-    };
-    const auto score = [&](int cell) {
-        return best_near(cell, strip - 1) + best_near(cell, strip) + best_near(cell, strip + 1);
-    };
+    const auto score = [&](int cell) { return contact_score(grid, votes, cell, strip); };
     const Candidates candidates(newer.camera, grid);
     Contact contact;
     int best = -1;
@@ -142,13 +144,17 @@ Contact best_contact(const LevelImage& newer, const ContactVotes& votes, int str
     if (best < 0) return contact;
     int near = best;
     int far = best;
-    while (near < candidates.last && score(near + 1) > plateau_share * contact.score) ++near;
-    while (far > candidates.first && score(far - 1) > plateau_share * contact.score) --far;
+    const auto in_plateau = [&](int c) {
+        return cell_floor_m(newer.camera, c) >= range_min_m && score(c) > plateau_share * contact.score;
+    };
+    while (near < candidates.last && in_plateau(near + 1)) ++near;
+    while (far > candidates.first && in_plateau(far - 1)) --far;
     contact.near_m = newer.camera.floor_m(near * cell_rows + cell_rows - 1);
     contact.far_m = newer.camera.floor_m(far * cell_rows);
     const double middle_row = 0.5 * (near + far) * cell_rows + 0.5 * (cell_rows - 1);
     contact.forward_m = newer.camera.floor_m(middle_row);
-    contact.own = best_near(best, strip);
+    for (int c = std::max(0, best - 1); c <= std::min(grid.cells - 1, best + 1); ++c)
+        contact.own = std::max<double>(contact.own, votes.score[grid.index(c, strip)]);
     return contact;
 }
 

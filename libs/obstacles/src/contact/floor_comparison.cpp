@@ -16,11 +16,13 @@ namespace {
 constexpr int tile_px = 16;             // of the local difference of brightness
 constexpr float misfit_cost = 2.0F;     // more: does not move as the floor
 constexpr float fit_cost = 1.0F;        // less: does
-constexpr float edge_per_noise = 4.3F;  // gradient of an edge
-constexpr float offset_clip_per_noise = 3.7F;
+constexpr float edge_per_noise = 2.9F;  // gradient of an edge
+constexpr float offset_clip_per_noise = 2.5F;
 constexpr float offset_prior_px = 6.0F;  // pixels without a difference, added to each tile
 constexpr double near_floor_m = 1.75;
-constexpr int sparse_px = 4;  // spacing of the pixels that measure gain and vignetting
+constexpr int samples_min = 500;      // costs that tell the noise
+constexpr double usual_cost = 0.227;  // median of the costs when the noise is right: that of chi^2 / 2
+constexpr int sparse_px = 4;          // spacing of the pixels that measure gain and vignetting
 
 /// A row of the homogeneous warp: X(u) = x0 + x1 u and so on, w(u) = w0 + w1 u.
 struct RowWarp {
@@ -118,6 +120,18 @@ void measure_offsets(const LevelImage& newer, int top_row, double noise, FloorCo
     }
 }
 
+/// Gradient of brightness, grey levels a pixel, by Sobel's operator.
+struct Gradient {
+    Gradient(const float* at, int width) {
+        const float* const up = at - width;
+        const float* const down = at + width;
+        x = 0.125F * (up[1] - up[-1] + down[1] - down[-1]) + 0.25F * (at[1] - at[-1]);
+        y = 0.125F * (down[-1] - up[-1] + down[1] - up[1]) + 0.25F * (down[0] - up[0]);
+    }
+    float squared() const { return x * x + y * y; }
+    float x, y;
+};
+
 /// Values of one row of pixels.
 struct RowBuffers {
     float* error;      ///< of brightness, against the floor; NaN: not compared
@@ -125,6 +139,7 @@ struct RowBuffers {
     float* cost;
     float* parallax;    ///< |gradient . d|, d: displacement that a quarter more inverse depth causes
     float* tolerance2;  ///< squared tolerance of position
+    float* steepness2;  ///< squared gradient of the finest detail
 };
 
 void fill_row(const LevelImage& newer, const PairWarp& warp, int v, float noise, const FloorComparison& data,
@@ -143,25 +158,28 @@ void fill_row(const LevelImage& newer, const PairWarp& warp, int v, float noise,
         const float x = (row.x0 + row.x1 * at) * inverse;
         const float y = (row.y0 + row.y1 * at) * inverse;
         const float w = 0.25F * (row.w0 + row.w1 * at) * inverse;
-        const float gx = 0.5F * (now[u + 1] - now[u - 1]);
-        const float gy = 0.5F * (now[u + newer.width] - now[u - newer.width]);
-        const float g2 = gx * gx + gy * gy;
+        const Gradient g(now + u, newer.width);
+        const float g2 = g.squared();
         const float flow2 = (x - at) * (x - at) + (y - height) * (y - height);
         const float tolerance2 =
             position_error_px * position_error_px + position_error_per_flow * position_error_per_flow * flow2;
-        const float along = gx * (row.bx - x * row.bz) + gy * (row.by - y * row.bz);
+        const float dx = now[u + 1] - now[u - 1];
+        const float dy = now[u + newer.width] - now[u - newer.width];
+        const float steep2 = 0.25F * (dx * dx + dy * dy);
+        const float along = g.x * (row.bx - x * row.bz) + g.y * (row.by - y * row.bz);
         const float e = out.error[u];
         out.gradient2[u] = g2;
         out.tolerance2[u] = tolerance2;
+        out.steepness2[u] = steep2;
         out.parallax[u] = std::abs(along * w);
-        out.cost[u] = std::min(e * e / (2.0F * (noise * noise + tolerance2 * g2)), cost_max);
+        out.cost[u] = std::min(e * e / (2.0F * (noise * noise + tolerance2 * steep2)), cost_max);
     }
     for (const int u : {0, newer.width - 1}) out.error[u] = std::numeric_limits<float>::quiet_NaN();
 }
 
 /// True when a quarter more inverse depth would show in the pixel's brightness.
 bool is_informative(float parallax, float gradient2, float tolerance2, float noise) {
-    return parallax > 2.5F * noise && gradient2 > 1.5F * noise * noise &&
+    return parallax > 2.4F * noise && gradient2 > 1.44F * noise * noise &&
            parallax * parallax > std::max(0.25F, 4.0F * tolerance2) * gradient2;
 }
 
@@ -186,11 +204,11 @@ void count_row(const LevelImage& newer, const StripGrid& grid, int v, float nois
                 if (misfit) ++cell.not_floor;
             }
             if (!misfit) continue;
-            const float gx = now[u + 1] - now[u - 1];
-            const float gy = now[u + newer.width] - now[u - newer.width];
+            const Gradient g(now + u, newer.width);
             out.unsorted.push_back({static_cast<std::int16_t>(u), static_cast<std::int16_t>(v),
-                                    static_cast<std::int16_t>(strip), std::abs(gx) >= std::abs(gy),
-                                    (row.error[u] + gain * before[u]) / gain, row.gradient2[u], row.cost[u]});
+                                    static_cast<std::int16_t>(strip), std::abs(g.x) >= std::abs(g.y),
+                                    (row.error[u] + gain * before[u]) / gain, row.steepness2[u],
+                                    row.cost[u]});
         }
     });
 }
@@ -202,10 +220,8 @@ void count_edges(const LevelImage& newer, const StripGrid& grid, int v, float no
     for_each_strip(grid, newer, v, [&](int strip, int begin, int end) {
         FloorCell& cell = out.cells[grid.index(v / cell_rows, strip)];
         for (int u = std::max(begin, 1); u < std::min(end, newer.width - 1); ++u) {
-            const float gx = 0.5F * (now[u + 1] - now[u - 1]);
-            const float gy = 0.5F * (now[u + newer.width] - now[u - newer.width]);
             ++cell.pixels;
-            if (gx * gx + gy * gy > edge2) ++cell.edges;
+            if (Gradient(now + u, newer.width).squared() > edge2) ++cell.edges;
         }
     });
 }
@@ -220,29 +236,24 @@ void sort_by_strip(const StripGrid& grid, FloorComparison& out) {
         out.misfits[static_cast<std::size_t>(out.count[static_cast<std::size_t>(m.strip)]++)] = m;
 }
 
-/// Noise from the differences of brightness where the image is flat: a median over a histogram.
-class NoiseMeter {
+/// Median of the costs, over a histogram.
+class MedianCost {
   public:
-    explicit NoiseMeter(float noise) : flat2_(4.0F * noise * noise), bins_per_grey_(40.0F / noise) {}
-    void add(float error, float gradient2) {
-        if (!(gradient2 < flat2_)) return;
-        const float bin = std::abs(error) * bins_per_grey_;
-        ++histogram_[bin < bins ? static_cast<std::size_t>(bin) : bins - 1];
+    void add(float cost) {
+        ++histogram_[static_cast<std::size_t>(cost * bins_per_unit)];
         ++count_;
     }
-    double noise() const {
-        if (count_ < 300) return 0.0;
+    double value() const {
         int sum = 0;
         std::size_t bin = 0;
         while (2 * (sum += histogram_[bin]) < count_) ++bin;
-        return (static_cast<double>(bin) + 0.5) / bins_per_grey_ * 1.4826 / std::sqrt(2.0);
+        return (static_cast<double>(bin) + 0.5) / bins_per_unit;
     }
+    int count() const { return count_; }
 
   private:
-    static constexpr std::size_t bins = 400;
-    float flat2_;
-    float bins_per_grey_;
-    std::array<int, bins> histogram_{};
+    static constexpr float bins_per_unit = 64.0F;
+    std::array<int, static_cast<std::size_t>(cost_max* bins_per_unit) + 1> histogram_{};
     int count_ = 0;
 };
 
@@ -265,16 +276,17 @@ void compare_with_floor(const LevelImage& reference, const LevelImage& newer, co
                         double noise, FloorComparison& out) {
     const StripGrid grid = strip_grid(newer);
     const auto sigma = static_cast<float>(noise);
+    out.noise = noise;
     out.cells.assign(grid.size(), FloorCell{});
     out.unsorted.clear();
     warp_floor(reference, newer, warp, grid.top_row, out.warped);
     measure_brightness(newer, warp, grid.top_row, out);
     measure_offsets(newer, grid.top_row, noise, out);
     const auto width = static_cast<std::size_t>(newer.width);
-    out.row.assign(5 * width, 0.0F);
+    out.row.assign(6 * width, 0.0F);
     float* const r = out.row.data();
-    const RowBuffers row{r, r + width, r + 2 * width, r + 3 * width, r + 4 * width};
-    NoiseMeter meter(sigma);
+    const RowBuffers row{r, r + width, r + 2 * width, r + 3 * width, r + 4 * width, r + 5 * width};
+    MedianCost median;
     const int rows = std::min(newer.height - 1, grid.cells * cell_rows);
     for (int v = 1; v < std::min(grid.top_row, rows); ++v) count_edges(newer, grid, v, sigma, out);
     for (int v = grid.top_row; v < rows; ++v) {
@@ -282,10 +294,10 @@ void compare_with_floor(const LevelImage& reference, const LevelImage& newer, co
         count_row(newer, grid, v, sigma, row, out);
         if (v % sparse_px != 0) continue;
         for (int u = 1; u < newer.width - 1; u += 2)
-            if (row.error[u] == row.error[u]) meter.add(row.error[u], row.gradient2[u]);
+            if (row.error[u] == row.error[u]) median.add(row.cost[u]);
     }
     sort_by_strip(grid, out);
-    out.noise = meter.noise();
+    if (median.count() >= samples_min) out.noise = noise * std::sqrt(median.value() / usual_cost);
     out.fit_share = near_fit_share(newer.camera, grid, out.cells);
 }
 

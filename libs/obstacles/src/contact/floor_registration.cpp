@@ -35,7 +35,7 @@ void choose_pixels(const LevelImage& image, double noise, std::vector<Pixel>& ou
     out.clear();
     const double first = image.camera.row_of(image.camera.height_m / distance_max_m);
     const int top = std::max(2, static_cast<int>(std::ceil(first)));
-    const double least = std::max(gradient_min, 1.5 * noise);
+    const double least = std::max(gradient_min, noise);
     for (int v0 = top; v0 + tile_px < image.height - 1; v0 += tile_px) {
         for (int u0 = 2; u0 + tile_px < image.width - 1; u0 += tile_px) {
             Pixel best{};
@@ -113,7 +113,7 @@ bool improve(const LevelImage& reference, const LevelImage& newer, const Paramet
         const Pixel& p = s.pixels[i];
         const double e = s.residuals[i] - middle;
         const double g2 = p.gx * p.gx + p.gy * p.gy;
-        const double variance = 1.5 * noise * noise + blur_px * blur_px * g2;
+        const double variance = noise * noise + blur_px * blur_px * g2;
         const double r2 = e * e / (variance * tukey_cut * tukey_cut);
         if (r2 >= 1.0) continue;
         const double w = (1.0 - r2) * (1.0 - r2) / variance;

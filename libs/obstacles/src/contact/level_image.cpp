@@ -33,23 +33,6 @@ void halve(const ImageView& image, int width, int height, float* out) {
     }
 }
 
-/// Divides by 1 - vignetting r^2.
-void flatten(LevelImage& image, double vignetting) {
-    if (vignetting == 0.0) return;
-    const double radius_px = corner_radius_px(image);
-    const auto per_px2 = static_cast<float>(vignetting / (radius_px * radius_px));
-    const auto middle = static_cast<float>(0.5 * (image.width - 1));
-    const float middle_v = 0.5F * static_cast<float>(image.height - 1);
-    for (int v = 0; v < image.height; ++v) {
-        float* const row = image.row(v);
-        const float dy = static_cast<float>(v) - middle_v;
-        for (int u = 0; u < image.width; ++u) {
-            const float dx = static_cast<float>(u) - middle;
-            row[u] /= 1.0F - per_px2 * (dx * dx + dy * dy);
-        }
-    }
-}
-
 /// Longest run of samples inside the image.
 LevelImage::Span longest_run(const std::vector<int>& inside) {
     LevelImage::Span best;
@@ -66,6 +49,25 @@ LevelImage::Span longest_run(const std::vector<int>& inside) {
 
 double corner_radius_px(const LevelImage& image) {
     return 0.5 * std::hypot(image.width, image.height);
+}
+
+void take_out_vignetting(LevelImage& image, double vignetting) {
+    if (image.vignetting == vignetting) return;
+    const double radius2 = corner_radius_px(image) * corner_radius_px(image);
+    const auto before = static_cast<float>(image.vignetting / radius2);
+    const auto after = static_cast<float>(vignetting / radius2);
+    const float middle_u = 0.5F * static_cast<float>(image.width - 1);
+    const float middle_v = 0.5F * static_cast<float>(image.height - 1);
+    for (int v = 0; v < image.height; ++v) {
+        float* const row = image.row(v);
+        const float dy2 = (static_cast<float>(v) - middle_v) * (static_cast<float>(v) - middle_v);
+        for (int u = 0; u < image.width; ++u) {
+            const float dx = static_cast<float>(u) - middle_u;
+            const float r2 = dx * dx + dy2;
+            row[u] *= (1.0F - before * r2) / (1.0F - after * r2);
+        }
+    }
+    image.vignetting = vignetting;
 }
 
 LevelMapping::LevelMapping(const RayMapper& mapper) {
@@ -95,14 +97,14 @@ LevelMapping::LevelMapping(const RayMapper& mapper) {
     }
 }
 
-void LevelMapping::apply(const ImageView& image, const RayMapper& mapper, double vignetting,
-                         LevelImage& out) {
+void LevelMapping::apply(const ImageView& image, const RayMapper& mapper, LevelImage& out) {
     const int width = image.width_px / 2;
     const int height = image.height_px / 2;
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     out.width = width;
     out.height = height;
     out.camera = half_camera(mapper.camera());
+    out.vignetting = 0.0;
     out.grey.resize(pixels);
     if (samples_.empty()) {
         out.valid.assign(static_cast<std::size_t>(height), {0, width});
@@ -123,7 +125,6 @@ void LevelMapping::apply(const ImageView& image, const RayMapper& mapper, double
             out.grey[i] = upper + s.y * (lower - upper);
         }
     }
-    flatten(out, vignetting);
 }
 
 }  // namespace flownav::obstacles

@@ -45,4 +45,9 @@ inline double cell_floor_m(const LevelCamera& camera, int cell) {
     return camera.floor_m(cell * cell_rows + 0.5 * (cell_rows - 1));
 }
 
+struct ContactVotes;
+
+/// Score of a contact in one cell: the sum over three strips of the best of three cells.
+float contact_score(const StripGrid& grid, const ContactVotes& votes, int cell, int strip);
+
 }  // namespace flownav::obstacles

@@ -50,7 +50,8 @@ LevelImage level_image(const std::vector<std::uint8_t>& pixels, const CameraMode
                        double vignetting = 0.0) {
     const RayMapper mapper(c);
     LevelImage image;
-    LevelMapping(mapper).apply({pixels.data(), 320, 240, 320}, mapper, vignetting, image);
+    LevelMapping(mapper).apply({pixels.data(), 320, 240, 320}, mapper, image);
+    take_out_vignetting(image, vignetting);
     return image;
 }
 

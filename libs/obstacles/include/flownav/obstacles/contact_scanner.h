@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "flownav/core/contact_scan.h"
+#include "flownav/obstacles/cone_scan.h"
 #include "flownav/obstacles/contact_params.h"
 #include "flownav/obstacles/contact_votes.h"
 #include "flownav/obstacles/floor_registration.h"
@@ -27,6 +28,31 @@ struct KeyImage {
     double pitch_rad = 0.0;
 };
 
+/// The last key images. Slot 0 is the newest.
+class KeyImages {
+  public:
+    static constexpr int most = 7;
+
+    KeyImage& operator[](int i) { return images_[static_cast<std::size_t>((newest_ + i) % most)]; }
+    const KeyImage& operator[](int i) const {
+        return images_[static_cast<std::size_t>((newest_ + i) % most)];
+    }
+    int size() const { return size_; }
+    /// Makes room for a new one at slot 0; the oldest is lost when there are `most`.
+    KeyImage& push() {
+        newest_ = (newest_ + most - 1) % most;
+        size_ = size_ < most ? size_ + 1 : most;
+        return (*this)[0];
+    }
+    /// Keeps the newest `count`.
+    void keep(int count) { size_ = count < size_ ? count : size_; }
+
+  private:
+    std::array<KeyImage, most> images_;
+    int newest_ = 0;
+    int size_ = 0;
+};
+
 /// A place that got votes in an earlier scan, in the frame of T_start_robot.
 struct EarlierContact {
     Eigen::Vector2d place_m = Eigen::Vector2d::Zero();
@@ -44,12 +70,12 @@ struct StripEvidence {
 /// Memory of the scan from cycle to cycle.
 struct ContactMemory {
     LevelMapping mapping;
-    std::array<KeyImage, 2> keys;
-    std::size_t keys_known = 0;
+    KeyImages keys;
     double vignetting = 0.0;  ///< learnt fall-off of brightness at the corner of the image
-    double noise = 0.82;      ///< learnt standard deviation of the grey levels at half resolution
+    double noise = 1.2;       ///< learnt standard deviation of differences of grey levels
     int scans = 0;
     std::vector<EarlierContact> earlier;
+    ConeMemory cone;
 
     // Buffers.
     FloorComparison comparison;

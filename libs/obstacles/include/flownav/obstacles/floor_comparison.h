@@ -33,7 +33,7 @@ struct FloorComparison {
     std::vector<Misfit> misfits;   ///< by strip, then from the top
     double gain = 1.0;             ///< brightness of the newer image over that of the reference
     double vignetting = 0.0;       ///< fall-off of brightness that is left in the images, at the corner
-    double noise = 0.0;            ///< standard deviation of the grey levels of one image; 0: not measured
+    double noise = 0.0;            ///< standard deviation of differences of grey levels, as measured here
     double fit_share = 0.0;        ///< of the informative pixels of the near floor
 
     // Memory.
@@ -46,7 +46,7 @@ struct FloorComparison {
 };
 
 /// Compares every pixel that could show floor with the place in the reference from which `warp` says the
-/// floor came. `noise`: standard deviation of the grey levels of one image.
+/// floor came. `noise`: standard deviation of differences of grey levels.
 void compare_with_floor(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
                         double noise, FloorComparison& out);
 

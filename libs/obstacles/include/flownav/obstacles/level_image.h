@@ -41,6 +41,7 @@ struct LevelImage {
 
     int width = 0;
     int height = 0;
+    double vignetting = 0.0;  ///< share of brightness lost at the corner of the image that was taken out
     LevelCamera camera;
     std::vector<float> grey;
     std::vector<Span> valid;
@@ -55,9 +56,8 @@ class LevelMapping {
     LevelMapping() = default;
     explicit LevelMapping(const RayMapper& mapper);
 
-    /// Writes the level image of `image`, taken by `mapper`'s camera. `vignetting`: share of brightness lost
-    /// at the corner of the image. Allocates only when the size changes.
-    void apply(const ImageView& image, const RayMapper& mapper, double vignetting, LevelImage& out);
+    /// Writes the level image of `image`, taken by `mapper`'s camera. Allocates only when the size changes.
+    void apply(const ImageView& image, const RayMapper& mapper, LevelImage& out);
 
   private:
     struct Sample {
@@ -70,6 +70,10 @@ class LevelMapping {
     std::vector<LevelImage::Span> valid_;
     std::vector<float> half_;
 };
+
+/// Takes out the fall-off of a lens that loses the share `vignetting` of the brightness at the corner of the
+/// image, in place of what was taken out before.
+void take_out_vignetting(LevelImage& image, double vignetting);
 
 /// Half of the distance between opposite corners, pixels: the unit of the radius in which fall-off is learnt.
 double corner_radius_px(const LevelImage& image);
