@@ -67,6 +67,22 @@ TEST(MapInsertion, ABlindBearingLeavesTheCellsAsTheyWere) {
     }
 }
 
+TEST(MapInsertion, AContactIsARangeWhateverItsCauseAndUnknownIsInvalid) {
+    for (const BeamCause cause : {BeamCause::Votes, BeamCause::Wall, BeamCause::Drop}) {
+        pipeline::Step step = cycle();
+        step.scan.beams[35] = {BeamKind::Obstacle, 2.05, cause, 1.9, 2.3};  // 30 degrees to the left
+        step.scan.beams[5] = {};
+        const auto scan = scan_observation(step, 8.0);
+        EXPECT_TRUE(scan->getScanRangeValidity(35));
+        EXPECT_EQ(scan->getScanRange(35), 2.05F);
+        EXPECT_FALSE(scan->getScanRangeValidity(5));
+        const auto grid = grid_with(step, false);
+        EXPECT_LT(at(grid, 30, 2.05), 0.45);
+        EXPECT_GT(at(grid, 30, 1.0), 0.55);
+        EXPECT_NEAR(at(grid, -30, 2.05), 0.5, 0.01);
+    }
+}
+
 TEST(MapInsertion, WithMrptsDefaultOptionABlindBearingIsFreeFarOut) {
     // The option must be switched off, because no value of a beam prevents the insertion.
     EXPECT_TRUE(COccupancyGridMap2D::TInsertionOptions().considerInvalidRangesAsFreeSpace);
