@@ -38,11 +38,9 @@ Vector2d end_toward(const ContactScan& scan, int i, int j, double tangent) {
            2;
 }
 
-/// Forward distance up to which floor_at() tells about a strip.
-double told_to_m(const ContactScan& scan, int i, double unconfirmed_to_m) {
-    const double floor_m = floor_to_m(scan, i);
-    if (!strip_at(scan, i).seen) return floor_m;
-    return std::max(floor_m, std::min(unconfirmed_to_m, seen_to_m(scan, i)));
+/// Forward distance up to which a strip may be Unconfirmed.
+double looked_to_m(const ContactScan& scan, int i, double unconfirmed_to_m) {
+    return strip_at(scan, i).seen ? std::min(unconfirmed_to_m, seen_to_m(scan, i)) : 0.0;
 }
 
 }  // namespace
@@ -63,13 +61,14 @@ double floor_to_m(const ContactScan& scan, int i) {
     return to_m > scan.view_near_m ? to_m : 0.0;
 }
 
-FloorSight floor_at(const ContactScan& scan, double forward_m, double right_m, double unconfirmed_to_m) {
+FloorSight floor_at(const ContactScan& scan, double forward_m, double right_m, double half_m,
+                    double unconfirmed_to_m) {
     if (!(forward_m >= scan.view_near_m) || forward_m <= 0.0) return FloorSight::NotSeen;
     const double strip = std::floor(right_m / forward_m / scan.step) - scan.first;
     if (!(strip >= 0.0 && strip < static_cast<double>(scan.strips.size()))) return FloorSight::NotSeen;
     const int i = static_cast<int>(strip);
-    if (forward_m <= floor_to_m(scan, i)) return FloorSight::Confirmed;
-    return forward_m < told_to_m(scan, i, unconfirmed_to_m) ? FloorSight::Unconfirmed : FloorSight::NotSeen;
+    if (forward_m + half_m <= floor_to_m(scan, i)) return FloorSight::Confirmed;
+    return forward_m < looked_to_m(scan, i, unconfirmed_to_m) ? FloorSight::Unconfirmed : FloorSight::NotSeen;
 }
 
 double floor_share(const ContactScan& scan) {
@@ -87,7 +86,7 @@ Eigen::AlignedBox2d floor_bounds(const ContactScan& scan, const Pose2& T_frame_r
                                  double unconfirmed_to_m) {
     Eigen::AlignedBox2d bounds;
     for (int i = 0; i < static_cast<int>(scan.strips.size()); ++i) {
-        const double to_m = told_to_m(scan, i, unconfirmed_to_m);
+        const double to_m = std::max(floor_to_m(scan, i), looked_to_m(scan, i, unconfirmed_to_m));
         if (!(to_m > scan.view_near_m)) continue;
         for (const double tangent : {left_tangent(scan, i), left_tangent(scan, i + 1)})
             for (const double forward_m : {scan.view_near_m, to_m})

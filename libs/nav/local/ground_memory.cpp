@@ -22,17 +22,6 @@ double doubt_of(const ContactScan& scan) {
     return -std::log(1.0 - std::min(floor_share(scan), floor_share_max));
 }
 
-/// True when it holds at one of eight places around a point.
-template <class Holds>
-bool is_any_around(const Vector2d& at_m, double distance_m, const Holds& holds) {
-    const double d = distance_m;
-    const double e = d * std::sqrt(0.5);
-    const std::array<Vector2d, 8> around = {Vector2d(d, 0), {e, e},   {0, d},  {-e, e},
-                                            {-d, 0},        {-e, -e}, {0, -d}, {e, -e}};
-    return std::any_of(around.begin(), around.end(),
-                       [&](const Vector2d& offset) { return holds(Vector2d(at_m + offset)); });
-}
-
 }  // namespace
 
 GroundMemory::GroundMemory(const GroundMemoryParams& params)
@@ -148,21 +137,26 @@ bool GroundMemory::is_seen(const Vector2d& at_m, double time_s) const {
     const Ground here = at(at_m, time_s);
     if (here == Ground::Driven || here == Ground::Free) return true;
     if (here == Ground::Occupied) return false;
-    return is_any_around(at_m, params_.seen_near_m,
-                         [&](const Vector2d& p_m) { return at(p_m, time_s) == Ground::Free; });
+    const double d = params_.seen_near_m;
+    const double e = d * std::sqrt(0.5);
+    const std::array<Vector2d, 8> around = {Vector2d(d, 0), {e, e},   {0, d},  {-e, e},
+                                            {-d, 0},        {-e, -e}, {0, -d}, {e, -e}};
+    return std::any_of(around.begin(), around.end(), [&](const Vector2d& offset) {
+        return at(Vector2d(at_m + offset), time_s) == Ground::Free;
+    });
 }
 
 bool GroundMemory::is_unconfirmed(const Vector2d& at_m, double time_s) const {
-    return at(at_m, time_s) == Ground::Unconfirmed && !is_seen(at_m, time_s);
+    const Vector2i cell = cells_.frame().cell_of(at_m);
+    if (at(cell, time_s) != Ground::Unconfirmed) return false;
+    const std::array<Vector2i, 4> sides = {Vector2i(1, 0), {1, 1}, {0, 1}, {-1, 1}};
+    return std::none_of(sides.begin(), sides.end(), [&](const Vector2i& side) {
+        return at(Vector2i(cell + side), time_s) == Ground::Free &&
+               at(Vector2i(cell - side), time_s) == Ground::Free;
+    });
 }
 
 bool GroundMemory::is_confirmed(const Vector2d& at_m, double time_s) const {
-    return was_confirmed(at_m, time_s) || is_any_around(at_m, params_.seen_near_m, [&](const Vector2d& p_m) {
-               return was_confirmed(p_m, time_s);
-           });
-}
-
-bool GroundMemory::was_confirmed(const Vector2d& at_m, double time_s) const {
     const Vector2i cell = cells_.frame().cell_of(at_m);
     const Known* const known = cells_.find(cell);
     return known && (time_s <= known->confirmed_until_s || at(cell, time_s) == Ground::Driven);

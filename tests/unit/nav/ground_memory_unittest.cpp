@@ -188,16 +188,20 @@ TEST(GroundMemory, WhatAScanConfirmsStaysConfirmedAsLongAsFreeGround) {
     EXPECT_FALSE(memory.is_confirmed({1.0, 0.5}, 31.0));
     EXPECT_FALSE(memory.is_confirmed({1.0, -0.8}, 1.0));
     EXPECT_FALSE(memory.is_confirmed({2.3, 0.5}, 1.0));
-    EXPECT_TRUE(memory.is_confirmed({2.03, 0.5}, 1.0)) << "beside a confirmed cell";
+    memory.mark_traversed({{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}}, 1.0, {1.0, -0.8, 0.0});
+    EXPECT_TRUE(memory.is_confirmed({1.0, -0.8}, 100.0)) << "it was driven over";
 }
 
-TEST(GroundMemory, UnconfirmedGroundBesideFreeGroundIsPassed) {
+TEST(GroundMemory, AnUnconfirmedCellBetweenTwoFreeOnesIsPassedAndOneBesideThemIsNot) {
     GroundMemory memory{GroundMemoryParams{}};
     for (int i = 0; i < 3; ++i) memory.note(testing::free_scan(0.7), i, here);
-    memory.note(map_with({0.95, 0.05}, 0.9F), 3.0, here);
-    EXPECT_FALSE(memory.is_unconfirmed({1.025, 0.05}, 3.0));
-    EXPECT_TRUE(memory.is_unconfirmed({1.125, 0.05}, 3.0));
-    EXPECT_FALSE(memory.is_seen({1.125, 0.05}, 3.0));
+    COccupancyGridMap2D map(-3.0F, 3.0F, -3.0F, 3.0F, 0.05F);
+    map.fill(0.5F);
+    for (const float y_m : {0.025F, 0.125F}) map.setPos(0.975F, y_m, 0.9F);
+    memory.note(map, 3.0, here);
+    EXPECT_FALSE(memory.is_unconfirmed({0.975, 0.075}, 3.0));
+    for (const Vector2d& at_m : {Vector2d(0.975, 0.175), {0.975, -0.025}, {1.025, 0.025}})
+        EXPECT_TRUE(memory.is_unconfirmed(at_m, 3.0)) << at_m.transpose();
 }
 
 }  // namespace

@@ -21,10 +21,12 @@ double seen_to_m(const ContactScan& scan, int i);
 /// is, as in every strip that is Unknown.
 double floor_to_m(const ContactScan& scan, int i);
 
-/// What the scan says about the floor at `forward_m` ahead of the camera and `right_m` to its right, in the
-/// robot frame of the SCAN. Unconfirmed is told up to the forward distance `unconfirmed_to_m` only: farther
-/// away a scan confirms floor by chance.
-FloorSight floor_at(const ContactScan& scan, double forward_m, double right_m, double unconfirmed_to_m);
+/// What the scan says about the floor of a place whose middle lies `forward_m` ahead of the camera and
+/// `right_m` to its right, in the robot frame of the SCAN, and that reaches `half_m` farther ahead. It is
+/// Confirmed when it is floor up to its far end. Unconfirmed is told of middles up to the forward distance
+/// `unconfirmed_to_m` only: farther away a scan confirms floor by chance.
+FloorSight floor_at(const ContactScan& scan, double forward_m, double right_m, double half_m,
+                    double unconfirmed_to_m);
 
 /// Share of the strips that show floor, of those that were seen and hold no obstacle: how surely this scan
 /// confirms floor of this kind. 0 when no strip was seen.
@@ -35,7 +37,7 @@ double floor_share(const ContactScan& scan);
 Eigen::AlignedBox2d floor_bounds(const ContactScan& scan, const Pose2& T_frame_robot,
                                  double unconfirmed_to_m);
 
-/// Calls visit(cell, sight) for every cell of `frame` whose middle is Unconfirmed or Confirmed.
+/// Calls visit(cell, sight) for every cell of `frame` that is Unconfirmed or Confirmed.
 template <class Visit>
 void for_each_floor_cell(const ContactScan& scan, const Pose2& T_frame_robot, const GridFrame& frame,
                          double unconfirmed_to_m, const Visit& visit) {
@@ -51,7 +53,7 @@ void for_each_floor_cell(const ContactScan& scan, const Pose2& T_frame_robot, co
     for (int y = low.y(); y <= high.y(); ++y) {
         for (int x = low.x(); x <= high.x(); ++x) {
             const Eigen::Vector2d p_m = origin_m + x * along_x + y * along_y;
-            const FloorSight sight = floor_at(scan, p_m.x(), -p_m.y(), unconfirmed_to_m);
+            const FloorSight sight = floor_at(scan, p_m.x(), -p_m.y(), frame.cell_m / 2, unconfirmed_to_m);
             if (sight != FloorSight::NotSeen) visit(Eigen::Vector2i(x, y), sight);
         }
     }

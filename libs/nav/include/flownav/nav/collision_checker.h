@@ -36,7 +36,7 @@ struct Surroundings {
 struct Forecast {
     bool touches = false;
     bool unseen = false;
-    bool unconfirmed = false;  ///< a part of the unseen ground is Ground::Unconfirmed
+    bool unconfirmed = false;
     Eigen::Vector2d where_m = Eigen::Vector2d::Zero();  ///< the obstacle, robot frame
 };
 
@@ -53,8 +53,7 @@ class CollisionChecker {
                       const std::deque<TimedCommand>& sent, const MotionCommand& candidate,
                       double hold_s) const;
 
-    /// True when the floor straight ahead is confirmed in the cone over the way to standing from a
-    /// speed.
+    /// True when the floor in the cone is confirmed over the way to standing from a speed.
     bool is_way_confirmed(const GroundMemory& ground, const Surroundings& now, double v_mps) const;
 
     /// Upper bound of the speed of the fastest point of the outline.

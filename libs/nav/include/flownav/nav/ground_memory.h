@@ -43,9 +43,9 @@ class GroundMemory {
     Ground at(const Eigen::Vector2d& at_m, double time_s) const;
     /// Driven over, seen to be free, or unknown next to ground that was seen to be free.
     bool is_seen(const Eigen::Vector2d& at_m, double time_s) const;
-    /// Unconfirmed, and not next to ground that was seen to be free.
+    /// Unconfirmed, and not a gap of one cell between two free ones.
     bool is_unconfirmed(const Eigen::Vector2d& at_m, double time_s) const;
-    /// Driven over, confirmed by a contact scan, or next to such ground.
+    /// Driven over, or confirmed by a contact scan.
     bool is_confirmed(const Eigen::Vector2d& at_m, double time_s) const;
     /// Middles of the occupied cells around a place, map frame.
     std::vector<Eigen::Vector2d> obstacles(const Eigen::Vector2d& around_m, double radius_m,
@@ -63,7 +63,6 @@ class GroundMemory {
     Ground at(const Eigen::Vector2i& cell, double time_s) const;
     bool note_cell(const Eigen::Vector2i& cell, bool is_free, double time_s);
     void note_unconfirmed(const Eigen::Vector2i& cell, double doubt, double time_s);
-    bool was_confirmed(const Eigen::Vector2d& at_m, double time_s) const;
     void note_unknown(const Eigen::Vector2i& cell, const Eigen::Vector2d& at_robot_m, double time_s);
 
     GroundMemoryParams params_;
