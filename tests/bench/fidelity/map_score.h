@@ -26,7 +26,6 @@ class MapWatcher {
   private:
     mapping::GlobalMap map_;
     mapping::ObstacleSet set_;            ///< reused to avoid allocations
-    mapping::ObstacleSet set_;            ///< reused
     std::set<std::pair<int, int>> seen_;  ///< cells with a surface that was in view
 };
 
