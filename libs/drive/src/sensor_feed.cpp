@@ -15,6 +15,7 @@ nav::SensorUpdate sensor_update_of(const pipeline::Step& step, const Field& fiel
         update.points = step.obstacles;
         update.ground = step.ground;
     }
+    if (step.new_contacts) update.contacts = step.contacts;
     return update;
 }
 

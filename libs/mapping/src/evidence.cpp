@@ -2,12 +2,16 @@
 
 #include <algorithm>
 
+#include "contact_lines.h"
+
 namespace flownav::mapping {
 namespace {
 
 using Eigen::Vector2d;
 
 constexpr double seen_obstacle = 0.36;  // by a point that is surely in its cell; two cycles make it occupied
+// By a contact of the scan: less than by a point, because its range is less sure, and enough for the guard.
+constexpr double seen_contact = 0.38;
 constexpr double says_nothing = 0.5;
 constexpr double seen_floor = 0.57;  // weaker: a block of floor before a thin leg says little about the leg
 
@@ -52,6 +56,18 @@ void add_point(const GridFrame& frame, const Vector2d& p, double p_free_there,
     evidence.push_back({frame.cell_of(p), p_free_there});
 }
 
+/// Contacts are obstacles at the near ends of their intervals. Rims are left to RimMemory. Floor is free up
+/// to the nearest obstacle of its strip and the strips beside it; a strip that is unknown says nothing.
+void add_contacts(const GridFrame& frame, const ContactScan& scan, const Pose2& T_frame_robot,
+                  std::vector<Evidence>& evidence) {
+    for_each_contact(scan, T_frame_robot, frame.cell_m / 2, [&](BeamCause cause, const Vector2d& p) {
+        if (cause != BeamCause::Drop) add_point(frame, p, seen_contact, evidence);
+    });
+    for_each_floor_cell(scan, T_frame_robot, frame, 0.0, [&](const Eigen::Vector2i& cell, FloorSight) {
+        evidence.push_back({cell, seen_floor});
+    });
+}
+
 }  // namespace
 
 void gather_evidence(const ObstacleSet& set, const Pose2& T_frame_robot, const GridFrame& frame,
@@ -66,6 +82,7 @@ void gather_evidence(const ObstacleSet& set, const Pose2& T_frame_robot, const G
         add_floor(frame, transform(T_frame_robot, patch.near_m), transform(T_frame_robot, patch.far_m),
                   patch.width_m, evidence);
     }
+    add_contacts(frame, set.contacts, T_frame_robot, evidence);
     std::sort(evidence.begin(), evidence.end());
     evidence.erase(std::unique(evidence.begin(), evidence.end()), evidence.end());
     const auto is_silent = [](const Evidence& e) { return e.p_free == says_nothing; };

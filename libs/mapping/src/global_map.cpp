@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact_lines.h"
 #include "evidence.h"
 #include "flownav/mapping/grid_area.h"
 
@@ -23,13 +24,19 @@ void make_room(COccupancyGridMap2D& grid, const ObstacleSet& set, double half_m)
     };
     Vector2d low = bounded({set.T_map_robot.x_m, set.T_map_robot.y_m});
     Vector2d high = low;
-    const auto include = [&](const Vector2d& p_robot) {
-        const Vector2d p = bounded(transform(set.T_map_robot, p_robot));
+    const auto include = [&](const Vector2d& p_map) {
+        const Vector2d p = bounded(p_map);
         low = low.cwiseMin(p);
         high = high.cwiseMax(p);
     };
-    for (const ObstaclePoint& point : set.points) include(point.position_m.head<2>());
-    for (const GroundPatch& patch : set.ground) include(patch.far_m);
+    for (const ObstaclePoint& point : set.points)
+        include(transform(set.T_map_robot, point.position_m.head<2>()));
+    for (const GroundPatch& patch : set.ground) include(transform(set.T_map_robot, patch.far_m));
+    for_each_contact(set.contacts, set.T_map_robot, grid.getResolution(),
+                     [&](BeamCause, const Vector2d& p) { include(p); });
+    const Eigen::AlignedBox2d floor = floor_bounds(set.contacts, set.T_map_robot, 0.0);
+    if (!floor.isEmpty()) include(floor.min());
+    if (!floor.isEmpty()) include(floor.max());
     const auto beyond = [half_m](double wanted, double has, double sign) {
         const double grown = sign * std::min(sign * wanted + margin_m, half_m);
         return static_cast<float>(sign * (wanted - has) > 0 ? grown : has);
@@ -42,6 +49,7 @@ void make_room(COccupancyGridMap2D& grid, const ObstacleSet& set, double half_m)
 
 GlobalMap::GlobalMap(const MapParams& params)
     : half_m_(std::min(extent_max_m, cells_max * params.resolution_m) / 2),
+      rims_(params.resolution_m),
       grid_(-static_cast<float>(margin_m), static_cast<float>(margin_m), -static_cast<float>(margin_m),
             static_cast<float>(margin_m), static_cast<float>(params.resolution_m)) {}
 
@@ -52,9 +60,17 @@ void GlobalMap::insert(const ObstacleSet& set) {
         return;
     }
     make_room(grid_, set, half_m_);
-    gather_evidence(set, set.T_map_robot, area_of(grid_), evidence_);
+    const GridArea area = area_of(grid_);
+    gather_evidence(set, set.T_map_robot, area, evidence_);
+    rims_.note(set, area, evidence_);
+    const auto set_cell = [&](const Vector2d& p_m, double p_free) {
+        const Eigen::Vector2i cell = area.cell_of(p_m);
+        grid_.setCell(cell.x(), cell.y(), static_cast<float>(p_free));
+    };
+    for (const Vector2d& p_m : rims_.removed_m()) set_cell(p_m, 0.5);
     for (const Evidence& e : evidence_)
         grid_.updateCell(e.cell.x(), e.cell.y(), static_cast<float>(e.p_free));
+    for (const Rim& rim : rims_.rims()) set_cell(rims_.frame().middle_of(rim.cell), p_free_of_rim);
 }
 
 }  // namespace flownav::mapping

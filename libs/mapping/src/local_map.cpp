@@ -50,6 +50,7 @@ Eigen::Isometry2d isometry(const Pose2& pose) {
 LocalMap::LocalMap(const MapParams& params)
     : params_(params),
       cells_({Vector2d::Zero(), params.resolution_m}, side_of(params)),
+      rims_(params.resolution_m),
       grid_(static_cast<float>(-params.size_m / 2), static_cast<float>(params.size_m / 2),
             static_cast<float>(-params.size_m / 2), static_cast<float>(params.size_m / 2),
             static_cast<float>(params.resolution_m)) {}
@@ -63,6 +64,7 @@ void LocalMap::insert(const ObstacleSet& set) {
     const GridFrame& frame = cells_.frame();
     const Vector2i middle = frame.cell_of({set.T_map_robot.x_m, set.T_map_robot.y_m});
     gather_evidence(set, set.T_map_robot, frame, evidence_);
+    rims_.note(set, frame, evidence_);
     Remembered& remembered = history_.push();
     remembered.timestamp_s = set.timestamp_s;
     remembered.number = ++sets_;
@@ -71,11 +73,17 @@ void LocalMap::insert(const ObstacleSet& set) {
         if ((e.cell - middle).cwiseAbs().maxCoeff() >= cells_.side() / 2) continue;
         remembered.entries.push_back({e.cell, add({e.cell, thousandths(e.p_free)})});
     }
+    note_movers(set);
+    redraw(set.T_map_robot);
+}
+
+/// Replaces the movers by those of a set, unless it holds a contact scan alone, which knows no movers.
+void LocalMap::note_movers(const ObstacleSet& set) {
+    if (set.points.empty() && set.ground.empty() && !is_empty(set)) return;
     movers_m_.clear();
     for (const ObstaclePoint& point : set.points) {
         if (point.moving) movers_m_.push_back(transform(set.T_map_robot, point.position_m.head<2>()));
     }
-    redraw(set.T_map_robot);
 }
 
 void LocalMap::redraw(const Pose2& T_map_robot) {
@@ -99,9 +107,25 @@ void LocalMap::redraw(const Pose2& T_map_robot) {
         const Vector2i at = of_robot.cell_of(T_robot_map * frame.middle_of(cell));
         grid_.setCell(at.x(), at.y(), std::min(grid_.getCell(at.x(), at.y()), probability(sum.log_odds)));
     });
+    draw_rims(T_robot_map);
     for (const Vector2d& mover_m : movers_m_) {
         const Vector2i at = of_robot.cell_of(T_robot_map * mover_m);
         grid_.updateCell(at.x(), at.y(), static_cast<float>(p_free_of_mover));
+    }
+}
+
+/// Draws rims over all other evidence. The middle and four more points of a cell reach every cell of the
+/// grid whose middle it covers, however it is rotated.
+void LocalMap::draw_rims(const Eigen::Isometry2d& T_robot_map) {
+    const GridArea of_robot = area_of(grid_);
+    const double quarter_m = rims_.frame().cell_m / 4;
+    for (const Rim& rim : rims_.rims()) {
+        const Vector2d middle_m = rims_.frame().middle_of(rim.cell);
+        for (const Vector2d& offset :
+             {Vector2d(0, 0), Vector2d(1, 1), Vector2d(1, -1), Vector2d(-1, 1), Vector2d(-1, -1)}) {
+            const Vector2i at = of_robot.cell_of(T_robot_map * Vector2d(middle_m + quarter_m * offset));
+            grid_.setCell(at.x(), at.y(), static_cast<float>(p_free_of_rim));
+        }
     }
 }
 

@@ -98,16 +98,35 @@ bool CollisionChecker::touches(const Surroundings& now, const Pose2& T_robot_the
     return false;
 }
 
-bool CollisionChecker::is_unseen(const GroundMemory& ground, const Surroundings& now,
-                                 const Pose2& T_robot_then) const {
-    const Pose2 T_map_then = compose(now.T_map_robot, T_robot_then);
+/// True when a longer part of the outline than unseen_max_m passes over ground for which holds(place_m, map
+/// frame) is true, at one of the poses after the first.
+template <class Holds>
+bool CollisionChecker::holds_under_outline(const Surroundings& now, const std::vector<Pose2>& path,
+                                           const Holds& holds) const {
     const int most = static_cast<int>(params_.unseen_max_m / outline_step_m);
-    int unseen = 0;
-    for (const Vector2d& point : outline_m_) {
-        unseen += !ground.is_seen(transform(T_map_then, point), now.time_s);
-        if (unseen > most) return true;
+    return std::any_of(path.begin() + 1, path.end(), [&](const Pose2& T_robot_then) {
+        const Pose2 T_map_then = compose(now.T_map_robot, T_robot_then);
+        int count = 0;
+        for (const Vector2d& point : outline_m_) {
+            count += holds(transform(T_map_then, point));
+            if (count > most) return true;
+        }
+        return false;
+    });
+}
+
+bool CollisionChecker::is_way_confirmed(const GroundMemory& ground, const Surroundings& now,
+                                        double v_mps) const {
+    double front_m = 0.0;
+    for (const Vector2d& corner : robot_.footprint_m) front_m = std::max(front_m, corner.x());
+    const double to_m = front_m + stopping_distance_m(robot_, v_mps) + v_mps * params_.period_s;
+    for (double x_m = front_m; x_m < to_m + cell_m_; x_m += cell_m_) {
+        for (const double tangent : {-cone_tangent, -cone_tangent / 2, 0.0, cone_tangent / 2, cone_tangent}) {
+            const Vector2d at_m = transform(now.T_map_robot, {x_m, x_m * tangent});
+            if (!ground.is_confirmed(at_m, now.time_s)) return false;
+        }
     }
-    return false;
+    return true;
 }
 
 Forecast CollisionChecker::forecast(const GroundMemory& ground, const Surroundings& now,
@@ -123,9 +142,10 @@ Forecast CollisionChecker::forecast(const GroundMemory& ground, const Surroundin
     if (forecast.touches) return forecast;
     const double spare_s = 2.0 * inside_cells * cell_m_ / outline_mps(candidate);
     const std::vector<Pose2> on = prolonged(path, candidate, spare_s);
-    forecast.unseen = std::any_of(on.begin() + 1, on.end(), [&](const Pose2& T_robot_then) {
-        return is_unseen(ground, now, T_robot_then);
-    });
+    forecast.unseen =
+        holds_under_outline(now, on, [&](const Vector2d& p_m) { return !ground.is_seen(p_m, now.time_s); });
+    forecast.unconfirmed = holds_under_outline(
+        now, on, [&](const Vector2d& p_m) { return ground.is_unconfirmed(p_m, now.time_s); });
     return forecast;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "flownav/core/contact_floor.h"
 #include "flownav/mapping/grid_area.h"
 
 namespace flownav::nav {
@@ -12,7 +13,14 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector2i;
 
-constexpr double deep_inside_m = 0.05;  // an obstacle this far inside the footprint is none
+constexpr double deep_inside_m = 0.05;    // an obstacle this far inside the footprint is none
+constexpr double floor_share_max = 0.97;  // no scan is sure to see the floor
+
+/// -log of the chance that a scan misses floor in a strip: large where most strips show floor, 0 where the
+/// floor has no texture.
+double doubt_of(const ContactScan& scan) {
+    return -std::log(1.0 - std::min(floor_share(scan), floor_share_max));
+}
 
 }  // namespace
 
@@ -51,6 +59,34 @@ int GroundMemory::note(const mrpt::maps::COccupancyGridMap2D& local_map, double 
     return fresh;
 }
 
+void GroundMemory::note(const ContactScan& scan, double time_s, const Pose2& T_map_robot) {
+    const double doubt = doubt_of(scan);
+    const Vector2i middle = cells_.frame().cell_of({T_map_robot.x_m, T_map_robot.y_m});
+    const auto note_sight = [&](const Vector2i& cell, FloorSight sight) {
+        if ((cell - middle).cwiseAbs().maxCoeff() >= cells_.side() / 2) return;
+        if (sight == FloorSight::Unconfirmed) {
+            note_unconfirmed(cell, doubt, time_s);
+        } else {
+            Known& known = cells_.claim(cell);
+            known.confirmed_until_s = time_s + params_.free_s;
+            if (known.ground == Ground::Unconfirmed) known.ground = Ground::Unknown;
+            known.doubt = 0.0;
+        }
+    };
+    for_each_floor_cell(scan, T_map_robot, cells_.frame(), params_.unconfirmed_within_m, note_sight);
+}
+
+void GroundMemory::note_unconfirmed(const Vector2i& cell, double doubt, double time_s) {
+    const Ground before = at(cell, time_s);
+    if (before != Ground::Unknown && before != Ground::Unconfirmed) return;
+    Known& known = cells_.claim(cell);
+    if (time_s <= known.confirmed_until_s) return;
+    known.doubt = time_s <= known.until_s ? known.doubt + doubt : doubt;
+    known.ground =
+        known.doubt > -std::log(params_.unconfirmed_chance) ? Ground::Unconfirmed : Ground::Unknown;
+    known.until_s = time_s + params_.unconfirmed_s;
+}
+
 /// True: free, and it was unknown.
 bool GroundMemory::note_cell(const Vector2i& cell, bool is_free, double time_s) {
     const Ground before = at(cell, time_s);
@@ -58,9 +94,11 @@ bool GroundMemory::note_cell(const Vector2i& cell, bool is_free, double time_s) 
     if (!is_free) {
         known = {Ground::Occupied, time_s + params_.obstacle_s};
     } else if (before != Ground::Driven || known.until_s < time_s + params_.free_s) {
-        known = {Ground::Free, time_s + params_.free_s};
+        known.ground = Ground::Free;
+        known.until_s = time_s + params_.free_s;
+        known.doubt = 0.0;
     }
-    return is_free && before == Ground::Unknown;
+    return is_free && (before == Ground::Unknown || before == Ground::Unconfirmed);
 }
 
 /// Shortens the memory of an obstacle in view of the camera that the map no longer shows; obstacles beside
@@ -97,7 +135,8 @@ Ground GroundMemory::at(const Vector2d& at_m, double time_s) const {
 
 bool GroundMemory::is_seen(const Vector2d& at_m, double time_s) const {
     const Ground here = at(at_m, time_s);
-    if (here != Ground::Unknown) return here != Ground::Occupied;
+    if (here == Ground::Driven || here == Ground::Free) return true;
+    if (here == Ground::Occupied) return false;
     const double d = params_.seen_near_m;
     const double e = d * std::sqrt(0.5);
     const std::array<Vector2d, 8> around = {Vector2d(d, 0), {e, e},   {0, d},  {-e, e},
@@ -105,6 +144,22 @@ bool GroundMemory::is_seen(const Vector2d& at_m, double time_s) const {
     return std::any_of(around.begin(), around.end(), [&](const Vector2d& offset) {
         return at(Vector2d(at_m + offset), time_s) == Ground::Free;
     });
+}
+
+bool GroundMemory::is_unconfirmed(const Vector2d& at_m, double time_s) const {
+    const Vector2i cell = cells_.frame().cell_of(at_m);
+    if (at(cell, time_s) != Ground::Unconfirmed) return false;
+    const std::array<Vector2i, 4> sides = {Vector2i(1, 0), {1, 1}, {0, 1}, {-1, 1}};
+    return std::none_of(sides.begin(), sides.end(), [&](const Vector2i& side) {
+        return at(Vector2i(cell + side), time_s) == Ground::Free &&
+               at(Vector2i(cell - side), time_s) == Ground::Free;
+    });
+}
+
+bool GroundMemory::is_confirmed(const Vector2d& at_m, double time_s) const {
+    const Vector2i cell = cells_.frame().cell_of(at_m);
+    const Known* const known = cells_.find(cell);
+    return known && (time_s <= known->confirmed_until_s || at(cell, time_s) == Ground::Driven);
 }
 
 std::vector<Vector2d> GroundMemory::obstacles(const Vector2d& around_m, double radius_m,

@@ -34,17 +34,19 @@ void NavigationStack::update(const SensorUpdate& update) {
     const double time_s = update.report.timestamp_s;
     if (!update.report.repeated) pose_.flow(time_s, update.T_start_robot);
     if (update.by_camera) guard_.sensed(update.report);
-    if (!update.report.end_of_cycle) return;
+    const bool has_scan = update.contacts.gate != ContactGate::Off;
+    if (!update.report.end_of_cycle && !has_scan) return;
     const Pose2 T_map_robot = pose_.at(time_s);
+    const mapping::ObstacleSet set{time_s, T_map_robot, update.points, update.ground, update.contacts};
     // A robot that sees nothing new, such as one that stands, forgets nothing.
-    if (update.points.empty() && update.ground.empty()) {
+    if (mapping::is_empty(set)) {
         local_.redraw(T_map_robot);
     } else {
-        const mapping::ObstacleSet set{time_s, T_map_robot, update.points, update.ground};
         local_.insert(set);
         map_.insert(set);
     }
     guard_.mapped(local_.grid(), time_s, T_map_robot);
+    if (has_scan) guard_.scanned(update.contacts, time_s, T_map_robot);
 }
 
 MotionCommand NavigationStack::command(double time_s, const FaultInjection& fault_injection) {

@@ -17,6 +17,17 @@ MotionCommand scaled(const MotionCommand& command, double share) {
     return {command.v_mps * share, command.omega_radps * share};
 }
 
+/// True when all strips within 7 degrees of the heading were in view.
+bool is_ahead_seen(const ContactScan& scan) {
+    bool any = false;
+    for (std::size_t i = 0; i < scan.strips.size(); ++i) {
+        if (std::abs(middle_tangent(scan, static_cast<int>(i))) > cone_tangent) continue;
+        if (!scan.strips[i].seen) return false;
+        any = true;
+    }
+    return any;
+}
+
 bool needs_probe(GuardReason reason) {
     return reason == GuardReason::SensorFrozen || reason == GuardReason::OdometryContradiction;
 }
@@ -46,6 +57,15 @@ void Guard::mapped(const mrpt::maps::COccupancyGridMap2D& local_map, double time
                    const Pose2& T_map_robot) {
     map_s_ = time_s;
     if (ground_.note(local_map, time_s, T_map_robot) >= params_.new_cells) crept_m_ = 0.0;
+}
+
+void Guard::scanned(const ContactScan& scan, double time_s, const Pose2& T_map_robot) {
+    if (scan.gate == ContactGate::Off) return;
+    has_scans_ = true;
+    if (scan.gate != ContactGate::Open) return;
+    ground_.note(scan, time_s, T_map_robot);
+    // A scan shows what stands ahead on floor without texture too: the robot may crawl on.
+    if (proposal_ && proposal_->command.v_mps > 0.0 && is_ahead_seen(scan)) crept_m_ = 0.0;
 }
 
 void Guard::proposed(double time_s, const MotionCommand& command) {
@@ -153,13 +173,30 @@ Fault Guard::objection(const Surroundings& now, const MotionCommand& candidate) 
         return {GuardReason::ObstacleAhead, sentence("an obstacle at (", ahead.where_m.x(), ", ",
                                                      ahead.where_m.y(), ") m, seen from the robot")};
     }
-    if (!ahead.unseen) return {};
+    if (ahead.unconfirmed) {
+        return {GuardReason::UnconfirmedAhead,
+                "ground on the way was in view and was not confirmed as floor"};
+    }
+    return ahead.unseen ? objection_to_unseen(crawls) : objection_to_speed(now, candidate);
+}
+
+/// Why the robot may not drive over ground that it has not seen; empty when it may crawl on.
+Fault Guard::objection_to_unseen(bool crawls) const {
     if (!crawls) return {GuardReason::UnseenAhead, "ground on the way has not been seen"};
     if (probing_since_s_ || crept_m_ >= params_.crawl_max_m) {
         return {GuardReason::UnseenAhead,
                 sentence("crept ", crept_m_, " m over unseen ground and saw no new ground")};
     }
     return {};
+}
+
+/// Why the robot may not drive so fast over ground that it has seen: straight ahead obstacles are found late.
+Fault Guard::objection_to_speed(const Surroundings& now, const MotionCommand& candidate) const {
+    const double slow_mps = params_.collision_checker.unconfirmed_mps;
+    if (!has_scans_ || candidate.v_mps <= slow_mps + rounding_m) return {};
+    if (collision_checker_.is_way_confirmed(ground_, now, candidate.v_mps)) return {};
+    return {GuardReason::UnconfirmedAhead,
+            sentence("the floor straight ahead is not confirmed: at most ", slow_mps, " m/s")};
 }
 
 SafetyDecision Guard::allow(const Surroundings& now, const MotionCommand& wanted) const {

@@ -7,11 +7,10 @@ namespace flownav::nav {
 namespace {
 
 /// From harmless to grave.
-constexpr std::array<GuardReason, 9> by_gravity = {
-    GuardReason::None,           GuardReason::UnseenAhead,
-    GuardReason::ObstacleAhead,  GuardReason::OdometryContradiction,
-    GuardReason::SensorFrozen,   GuardReason::OmegaLost,
-    GuardReason::SensorBlind,    GuardReason::SensorStale,
+constexpr std::array<GuardReason, 10> by_gravity = {
+    GuardReason::None,           GuardReason::UnseenAhead,           GuardReason::UnconfirmedAhead,
+    GuardReason::ObstacleAhead,  GuardReason::OdometryContradiction, GuardReason::SensorFrozen,
+    GuardReason::OmegaLost,      GuardReason::SensorBlind,           GuardReason::SensorStale,
     GuardReason::NavigatorSilent};
 
 }  // namespace
@@ -42,6 +41,7 @@ bool is_fault_of_sensing(GuardReason reason) {
             return true;
         case GuardReason::None:
         case GuardReason::UnseenAhead:
+        case GuardReason::UnconfirmedAhead:
         case GuardReason::ObstacleAhead:
         case GuardReason::NavigatorSilent:
             return false;
@@ -67,6 +67,8 @@ const char* to_string(GuardReason reason) {
             return "none";
         case GuardReason::UnseenAhead:
             return "unseen_ahead";
+        case GuardReason::UnconfirmedAhead:
+            return "unconfirmed_ahead";
         case GuardReason::ObstacleAhead:
             return "obstacle_ahead";
         case GuardReason::OdometryContradiction:

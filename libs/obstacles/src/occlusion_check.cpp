@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "flownav/core/contact_floor.h"
+
 namespace flownav::obstacles {
 namespace {
 
@@ -29,25 +31,60 @@ bool cut(GroundPatch& patch, const Vector2d& camera_m, double range_m) {
     return true;
 }
 
+/// Distance from the camera to the nearest obstacle in each bin of bearings.
+class Horizon {
+  public:
+    explicit Horizon(const Vector2d& camera_m) : camera_m_(camera_m) {
+        nearest_m_.fill(std::numeric_limits<double>::infinity());
+    }
+
+    /// Adds an obstacle that reaches over the bins from `right_bin`, to the left, to `left_bin`.
+    void add(int right_bin, int left_bin, double range_m) {
+        const int wide = (left_bin - right_bin + bins) % bins;
+        for (int i = right_bin - reach; i <= right_bin + wide + reach; ++i) {
+            double& nearest = nearest_m_[static_cast<std::size_t>((i + bins) % bins)];
+            nearest = std::min(nearest, range_m);
+        }
+    }
+
+    void remove_hidden(std::vector<GroundPatch>& ground) const {
+        const auto is_hidden = [&](GroundPatch& patch) {
+            const int bin = bin_of((patch.near_m + patch.far_m) / 2 - camera_m_);
+            return !cut(patch, camera_m_, nearest_m_[static_cast<std::size_t>(bin)]);
+        };
+        ground.erase(std::remove_if(ground.begin(), ground.end(), is_hidden), ground.end());
+    }
+
+  private:
+    Vector2d camera_m_;
+    std::array<double, bins> nearest_m_;
+};
+
 }  // namespace
 
 void remove_occluded_floor(const std::vector<ObstaclePoint>& points, const Vector2d& camera_m,
                            std::vector<GroundPatch>& ground) {
-    std::array<double, bins> nearest_m;
-    nearest_m.fill(std::numeric_limits<double>::infinity());
+    Horizon horizon(camera_m);
     for (const ObstaclePoint& point : points) {
         const Vector2d at_m = point.position_m.head<2>() - camera_m;
-        const int middle = bin_of(at_m);
-        for (int i = middle - reach; i <= middle + reach; ++i) {
-            double& nearest = nearest_m[static_cast<std::size_t>((i + bins) % bins)];
-            nearest = std::min(nearest, at_m.norm());
-        }
+        const int bin = bin_of(at_m);
+        horizon.add(bin, bin, at_m.norm());
     }
-    const auto is_hidden = [&](GroundPatch& patch) {
-        const int bin = bin_of((patch.near_m + patch.far_m) / 2 - camera_m);
-        return !cut(patch, camera_m, nearest_m[static_cast<std::size_t>(bin)]);
-    };
-    ground.erase(std::remove_if(ground.begin(), ground.end(), is_hidden), ground.end());
+    horizon.remove_hidden(ground);
+}
+
+void remove_floor_behind_contacts(const ContactScan& contacts, const Vector2d& camera_m,
+                                  std::vector<GroundPatch>& ground) {
+    Horizon horizon(camera_m);
+    for (std::size_t i = 0; i < contacts.strips.size(); ++i) {
+        if (contacts.strips[i].kind != BeamKind::Obstacle) continue;
+        const ContactLine line = line_of(contacts, static_cast<int>(i));
+        const Vector2d left_m = line.left_m - camera_m;
+        const Vector2d right_m = line.right_m - camera_m;
+        if (std::min(left_m.x(), right_m.x()) <= 0.0) continue;
+        horizon.add(bin_of(right_m), bin_of(left_m), std::min(left_m.norm(), right_m.norm()));
+    }
+    horizon.remove_hidden(ground);
 }
 
 }  // namespace flownav::obstacles

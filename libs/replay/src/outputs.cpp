@@ -5,6 +5,7 @@
 #include "flownav/evaluation/summary.h"
 #include "flownav/io/gz_member.h"
 #include "flownav/mapping/export.h"
+#include "flownav/replay/obstacle_set.h"
 #include "flownav/report/report.h"
 
 namespace flownav::replay {
@@ -58,7 +59,9 @@ Outputs::Outputs(std::filesystem::path folder, const config::Config& config, con
 }
 
 void Outputs::map(const pipeline::Step& step) {
-    if (step.end_of_cycle) map_.insert({step.timestamp_s, step.T_start_robot, step.obstacles, step.ground});
+    if (!is_new_for_map(step)) return;
+    copy_surroundings(step, set_);
+    map_.insert(set_);
 }
 
 void Outputs::write(const Field& field, const pipeline::Step& step) {

@@ -16,6 +16,7 @@
 #include "flownav/io/output_file.h"
 #include "flownav/mapping/local_map.h"
 #include "flownav/pipeline/pipeline.h"
+#include "flownav/replay/obstacle_set.h"
 #include "flownav/replay/realtime_replay.h"
 
 namespace flownav::replay {
@@ -86,13 +87,10 @@ class Chain {
 
     void take(const Field& field) {
         const pipeline::Step& step = pipeline::step(state_, field);
-        if (step.obstacles.empty() && step.ground.empty()) {  // as in the navigation stack
+        copy_surroundings(step, set_);
+        if (mapping::is_empty(set_)) {  // as in the navigation stack
             map_.redraw(step.T_start_robot);
         } else {
-            set_.timestamp_s = step.timestamp_s;
-            set_.T_map_robot = step.T_start_robot;
-            set_.points = step.obstacles;
-            set_.ground = step.ground;
             map_.insert(set_);
         }
     }

@@ -1,5 +1,6 @@
 #include "map_score.h"
 
+#include "flownav/replay/obstacle_set.h"
 #include "flownav/testing/truth.h"
 
 namespace flownav::fidelity {
@@ -35,8 +36,11 @@ void MapScore::add(const MapScore& other) {
 }
 
 void MapWatcher::see(const Moment& m) {
+    if (replay::is_new_for_map(m.step)) {
+        replay::copy_surroundings(m.step, set_);
+        map_.insert(set_);
+    }
     if (!m.step.end_of_cycle) return;
-    map_.insert({m.step.timestamp_s, m.step.T_start_robot, m.step.obstacles, m.step.ground});
     const testing::Scene& scene = m.drive.scene;
     const sim::View view = testing::true_view(scene, m.reference);
     for (const pipeline::BlockRecord& block : m.step.blocks) {

@@ -25,6 +25,7 @@ class MapWatcher {
 
   private:
     mapping::GlobalMap map_;
+    mapping::ObstacleSet set_;            ///< reused to avoid allocations
     std::set<std::pair<int, int>> seen_;  ///< cells with a surface that was in view
 };
 

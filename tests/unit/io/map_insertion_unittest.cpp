@@ -67,6 +67,22 @@ TEST(MapInsertion, ABlindBearingLeavesTheCellsAsTheyWere) {
     }
 }
 
+TEST(MapInsertion, AContactIsARangeWhateverItsCauseAndUnknownIsInvalid) {
+    for (const BeamCause cause : {BeamCause::Votes, BeamCause::Wall, BeamCause::Drop}) {
+        pipeline::Step step = cycle();
+        for (std::size_t i = 18; i <= 22; ++i)
+            step.scan.beams[i] = {BeamKind::Obstacle, 4.05, cause, 3.8, 4.5};
+        const auto scan = scan_observation(step, 8.0);
+        EXPECT_TRUE(scan->getScanRangeValidity(20));
+        EXPECT_EQ(scan->getScanRange(20), 4.05F);
+        EXPECT_FALSE(scan->getScanRangeValidity(5)) << "unknown";
+        const auto grid = grid_with(step, false);
+        EXPECT_LT(at(grid, 0, 4.05), 0.45);
+        EXPECT_GT(at(grid, 0, 2), 0.55);
+        EXPECT_NEAR(at(grid, -30, 2.05), 0.5, 0.01);
+    }
+}
+
 TEST(MapInsertion, WithMrptsDefaultOptionABlindBearingIsFreeFarOut) {
     // The option must be switched off, because no value of a beam prevents the insertion.
     EXPECT_TRUE(COccupancyGridMap2D::TInsertionOptions().considerInvalidRangesAsFreeSpace);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "flownav/testing/contact_scans.h"
+
 namespace flownav::nav {
 namespace {
 
@@ -96,6 +98,110 @@ TEST(GroundMemory, BesideTheMapNothingIsKnown) {
         EXPECT_EQ(memory.at(Vector2d(side * 3.03, 0.52), 0.0), Ground::Unknown) << side;
         EXPECT_EQ(memory.at(Vector2d(0.52, side * 3.03), 0.0), Ground::Unknown) << side;
     }
+}
+
+/// Remembered state of a place after `scans` equal scans, a second apart.
+Ground after_scans(const ContactScan& scan, int scans, const Vector2d& at_m,
+                   const GroundMemoryParams& params = {}) {
+    GroundMemory memory(params);
+    for (int i = 0; i < scans; ++i) memory.note(scan, i, here);
+    return memory.at(at_m, scans);
+}
+
+/// Floor up to 2 m to the left of the heading and straight ahead, none to the right, where it was looked for.
+ContactScan floor_to_the_left() {
+    ContactScan scan = testing::open_scan();
+    testing::confirm(scan, -1.0, 0.6, 2.0);
+    return scan;
+}
+
+TEST(GroundMemory, GroundInViewThatSeveralScansDoNotConfirmIsUnconfirmed) {
+    const Vector2d right_m(1.0, -0.8);
+    EXPECT_EQ(after_scans(floor_to_the_left(), 2, right_m), Ground::Unknown);
+    EXPECT_EQ(after_scans(floor_to_the_left(), 3, right_m), Ground::Unconfirmed);
+    for (const Vector2d& at_m : {Vector2d(1.0, 0.8), {1.0, 0.0}, {0.3, -0.25}, {1.3, -1.1}, {1.0, -1.2}})
+        EXPECT_EQ(after_scans(floor_to_the_left(), 50, at_m), Ground::Unknown) << at_m.transpose();
+}
+
+TEST(GroundMemory, UnconfirmedGroundLiesWhereTheRobotSawItFrom) {
+    GroundMemory memory{GroundMemoryParams{}};
+    const Pose2 turned_left{2.0, 1.0, M_PI_2};
+    ContactScan scan = floor_to_the_left();
+    scan.T_robot_scan = {-0.2, 0.0, 0.0};
+    for (int i = 0; i < 5; ++i) memory.note(scan, i, turned_left);
+    EXPECT_EQ(memory.at(transform(turned_left, {0.8, -0.8}), 5.0), Ground::Unconfirmed);
+    EXPECT_EQ(memory.at(transform(turned_left, {0.8, 0.8}), 5.0), Ground::Unknown);
+}
+
+TEST(GroundMemory, OnFloorWithLittleTextureAScanThatMissesItSaysLittle) {
+    const Vector2d ahead_m(1.0, 0.02);
+    EXPECT_EQ(after_scans(testing::open_scan(), 100, ahead_m), Ground::Unknown) << "no texture at all";
+    ContactScan half = testing::open_scan();
+    for (std::size_t i = 0; i < half.strips.size(); i += 2) {
+        half.strips[i].kind = BeamKind::Free;
+        half.strips[i].free_m = 0.9;
+    }
+    EXPECT_EQ(after_scans(half, 5, ahead_m), Ground::Unknown);
+    EXPECT_EQ(after_scans(half, 6, ahead_m), Ground::Unconfirmed);
+}
+
+TEST(GroundMemory, WhatWasSeenFreeOrDrivenOverIsNotUnconfirmed) {
+    const ContactScan scan = testing::free_scan(0.7);
+    const Vector2d ahead_m(0.95, 0.05);
+    GroundMemory memory{GroundMemoryParams{}};
+    memory.note(map_with(ahead_m, 0.9F), 0.0, here);
+    for (int i = 0; i < 9; ++i) memory.note(scan, i, here);
+    EXPECT_EQ(memory.at(ahead_m, 9.0), Ground::Free);
+    memory.mark_traversed({{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}}, 9.0, {0.95, 0.5, 0.0});
+    for (int i = 10; i < 20; ++i) memory.note(scan, i, here);
+    EXPECT_EQ(memory.at(Vector2d(0.95, 0.4), 20.0), Ground::Driven);
+    EXPECT_EQ(memory.at(Vector2d(0.95, -0.4), 20.0), Ground::Unconfirmed);
+}
+
+TEST(GroundMemory, UnconfirmedGroundEndsWithTimeWithFloorAndUnderTheRobot) {
+    const Vector2d ahead_m(0.95, 0.05);
+    GroundMemory memory{GroundMemoryParams{}};
+    const auto look = [&](double free_m, double from_s) {
+        for (int i = 0; i < 3; ++i) memory.note(testing::free_scan(free_m), from_s + i, here);
+    };
+    look(0.7, 0.0);
+    EXPECT_EQ(memory.at(ahead_m, 60.0), Ground::Unconfirmed);
+    EXPECT_EQ(memory.at(ahead_m, 63.0), Ground::Unknown);
+    look(0.7, 100.0);
+    look(2.0, 103.0);
+    EXPECT_EQ(memory.at(ahead_m, 106.0), Ground::Unknown);
+    look(0.7, 140.0);
+    EXPECT_GT(memory.note(map_with(ahead_m, 0.9F), 143.0, here), 0) << "it counts as new ground";
+    EXPECT_EQ(memory.at(ahead_m, 143.0), Ground::Free);
+}
+
+TEST(GroundMemory, ADistanceOfZeroSwitchesUnconfirmedGroundOff) {
+    GroundMemoryParams params;
+    params.unconfirmed_within_m = 0.0;
+    EXPECT_EQ(after_scans(testing::free_scan(0.7), 9, {0.95, 0.05}, params), Ground::Unknown);
+}
+
+TEST(GroundMemory, WhatAScanConfirmsStaysConfirmedAsLongAsFreeGround) {
+    GroundMemory memory{GroundMemoryParams{}};
+    memory.note(floor_to_the_left(), 0.0, here);
+    EXPECT_TRUE(memory.is_confirmed({1.0, 0.5}, 29.0));
+    EXPECT_FALSE(memory.is_confirmed({1.0, 0.5}, 31.0));
+    EXPECT_FALSE(memory.is_confirmed({1.0, -0.8}, 1.0));
+    EXPECT_FALSE(memory.is_confirmed({2.3, 0.5}, 1.0));
+    memory.mark_traversed({{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}}, 1.0, {1.0, -0.8, 0.0});
+    EXPECT_TRUE(memory.is_confirmed({1.0, -0.8}, 100.0)) << "it was driven over";
+}
+
+TEST(GroundMemory, AnUnconfirmedCellBetweenTwoFreeOnesIsPassedAndOneBesideThemIsNot) {
+    GroundMemory memory{GroundMemoryParams{}};
+    for (int i = 0; i < 3; ++i) memory.note(testing::free_scan(0.7), i, here);
+    COccupancyGridMap2D map(-3.0F, 3.0F, -3.0F, 3.0F, 0.05F);
+    map.fill(0.5F);
+    for (const float y_m : {0.025F, 0.125F}) map.setPos(0.975F, y_m, 0.9F);
+    memory.note(map, 3.0, here);
+    EXPECT_FALSE(memory.is_unconfirmed({0.975, 0.075}, 3.0));
+    for (const Vector2d& at_m : {Vector2d(0.975, 0.175), {0.975, -0.025}, {1.025, 0.025}})
+        EXPECT_TRUE(memory.is_unconfirmed(at_m, 3.0)) << at_m.transpose();
 }
 
 }  // namespace

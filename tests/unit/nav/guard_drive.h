@@ -98,6 +98,7 @@ class Drive {
     MotionCommand wish{0.4, 0.0};
     std::vector<Eigen::Vector2d> walls_m;
     float elsewhere = 0.9F;
+    std::function<ContactScan()> scan;  ///< of each cycle; empty: no contact scan
     SafetyDecision safety;
 
   private:
@@ -113,6 +114,7 @@ class Drive {
         if (now.odometry_comes) guard.odometry(now.time_s, now.odometry);
         if (now.field) guard.sensed(now.report);
         if (now.map != nullptr) guard.mapped(*now.map, now.time_s, robot.pose());
+        if (now.map != nullptr && scan) guard.scanned(scan(), now.time_s, robot.pose());
         if (now.proposal_comes) guard.proposed(now.time_s, now.proposal);
         safety = guard.check(now.time_s, robot.pose(), robot.motion());
         robot.command(now.time_s, safety.command);

@@ -10,8 +10,9 @@ TEST(GuardReason, ASensorThatCannotBeReliedOnIsAFaultOfSensingAndAnObstacleIsNon
          {GuardReason::OdometryContradiction, GuardReason::SensorFrozen, GuardReason::OmegaLost,
           GuardReason::SensorBlind, GuardReason::SensorStale})
         EXPECT_TRUE(is_fault_of_sensing(reason)) << to_string(reason);
-    for (const GuardReason reason : {GuardReason::None, GuardReason::UnseenAhead, GuardReason::ObstacleAhead,
-                                     GuardReason::NavigatorSilent})
+    for (const GuardReason reason :
+         {GuardReason::None, GuardReason::UnseenAhead, GuardReason::UnconfirmedAhead,
+          GuardReason::ObstacleAhead, GuardReason::NavigatorSilent})
         EXPECT_FALSE(is_fault_of_sensing(reason)) << to_string(reason);
 }
 
@@ -19,7 +20,8 @@ TEST(GuardReason, ASilentNavigatorIsGraverThanAnObstacleAndThatThanUnseenGround)
     EXPECT_GT(gravity(GuardReason::NavigatorSilent), gravity(GuardReason::SensorStale));
     EXPECT_GT(gravity(GuardReason::SensorBlind), gravity(GuardReason::OmegaLost));
     EXPECT_GT(gravity(GuardReason::OmegaLost), gravity(GuardReason::ObstacleAhead));
-    EXPECT_GT(gravity(GuardReason::ObstacleAhead), gravity(GuardReason::UnseenAhead));
+    EXPECT_GT(gravity(GuardReason::ObstacleAhead), gravity(GuardReason::UnconfirmedAhead));
+    EXPECT_GT(gravity(GuardReason::UnconfirmedAhead), gravity(GuardReason::UnseenAhead));
     EXPECT_GT(gravity(GuardReason::UnseenAhead), gravity(GuardReason::None));
     EXPECT_EQ(gravity(GuardReason::None), 0);
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "flownav/testing/contact_scans.h"
+
 namespace flownav::obstacles {
 namespace {
 
@@ -55,6 +57,61 @@ TEST(HiddenFloor, WithoutPointsNothingIsHidden) {
     std::vector<GroundPatch> ground = {patch(0.0, 1.0, 1.1), patch(0.2, 2.0, 2.1)};
     remove_occluded_floor({}, camera_m, ground);
     EXPECT_EQ(ground.size(), 2U);
+}
+
+/// A scan with one obstacle 0.1 wide in tangent, 1 m before the camera, to the right when `tangent` is > 0.
+ContactScan scan_with(double tangent, BeamCause cause = BeamCause::Votes) {
+    ContactScan scan = testing::open_scan();
+    scan.camera_m = camera_m;
+    testing::block(scan, tangent - 0.05, tangent + 0.05, 1.0, cause);
+    return scan;
+}
+
+TEST(HiddenFloor, BehindAContactThereIsNone) {
+    for (const BeamCause cause : {BeamCause::Votes, BeamCause::Wall, BeamCause::Drop}) {
+        std::vector<GroundPatch> ground = {patch(0.0, 1.5, 1.6), patch(0.0, 0.9, 1.2), patch(0.0, 0.5, 0.6)};
+        remove_floor_behind_contacts(scan_with(0.0, cause), camera_m, ground);
+        ASSERT_EQ(ground.size(), 2U);
+        EXPECT_NEAR((ground[0].far_m - camera_m).norm(), 1.0, 2e-3) << "cut at the near end of the interval";
+        EXPECT_NEAR((ground[1].far_m - camera_m).norm(), 0.6, 1e-9);
+    }
+}
+
+TEST(HiddenFloor, AContactToTheRightHidesFloorToTheRightOnly) {
+    for (const double side : {1.0, -1.0}) {
+        std::vector<GroundPatch> ground = {patch(-0.4 * side, 1.5, 1.6), patch(0.4 * side, 1.5, 1.6)};
+        remove_floor_behind_contacts(scan_with(side * std::tan(0.4)), camera_m, ground);
+        ASSERT_EQ(ground.size(), 1U);
+        EXPECT_EQ(std::signbit(ground[0].near_m.y() - camera_m.y()), side < 0.0);
+    }
+}
+
+TEST(HiddenFloor, AContactHidesFloorOverTheWholeWidthOfItsStripsAndNotFarBeside) {
+    for (const double tangent : {-0.07, -0.03, 0.03, 0.07, -0.12, 0.12}) {
+        std::vector<GroundPatch> ground = {patch(-std::atan(tangent), 1.5, 1.6)};
+        remove_floor_behind_contacts(scan_with(0.0), camera_m, ground);
+        EXPECT_EQ(ground.empty(), std::abs(tangent) < 0.1) << tangent;
+    }
+}
+
+TEST(HiddenFloor, TheContactsOfAnEarlierScanStandWhereTheyStood) {
+    ContactScan scan = scan_with(0.0);
+    scan.T_robot_scan = {-0.3, 0.0, 0.0};  // the robot has driven 0.3 m since
+    std::vector<GroundPatch> ground = {patch(0.0, 0.8, 0.9), patch(0.0, 0.5, 0.6)};
+    remove_floor_behind_contacts(scan, camera_m, ground);
+    EXPECT_EQ(ground.size(), 1U);
+    scan.T_robot_scan = {-1.3, 0.0, 0.0};
+    ground = {patch(0.0, 0.8, 0.9), patch(M_PI - 0.01, 0.8, 0.9)};
+    remove_floor_behind_contacts(scan, camera_m, ground);
+    EXPECT_EQ(ground.size(), 2U) << "the camera has passed the contact";
+}
+
+TEST(HiddenFloor, FreeAndUnknownStripsHideNothing) {
+    std::vector<GroundPatch> ground = {patch(0.0, 2.5, 2.6)};
+    remove_floor_behind_contacts(testing::free_scan(1.0), camera_m, ground);
+    remove_floor_behind_contacts(testing::open_scan(), camera_m, ground);
+    remove_floor_behind_contacts(ContactScan{}, camera_m, ground);
+    EXPECT_EQ(ground.size(), 1U);
 }
 
 }  // namespace

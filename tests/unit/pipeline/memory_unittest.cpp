@@ -6,6 +6,7 @@
 
 #include "drives.h"
 #include "flownav/mapping/local_map.h"
+#include "flownav/testing/contact_scans.h"
 
 namespace {
 
@@ -81,7 +82,11 @@ TEST(Memory, InSteadyStateTheLocalMapAllocatesNothing) {
         set.points.push_back(point);
         set.ground.push_back({{0.8, 0.02 * i}, {1.0 + 0.03 * i, 0.05 * i}, 0.2});
     }
+    set.contacts = testing::free_scan(2.5);
+    testing::block(set.contacts, -0.2, 0.0, 1.5);
+    testing::block(set.contacts, 0.0, 0.2, 2.0, BeamCause::Drop);
     for (int i = 0; i < 400; ++i) {
+        set.contacts.T_robot_scan.x_m = -0.01 * (i % 5);
         set.timestamp_s = 0.1 * i;  // the map's memory is full after 60 sets
         const long before = allocations;
         map.insert(set);

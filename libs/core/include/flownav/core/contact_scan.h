@@ -50,6 +50,7 @@ struct ContactScan {
     ContactGate gate = ContactGate::Off;
     int first = 0;
     double step = 0.05;
+    double view_near_m = 0.5;  ///< forward distance of the lower border of the view: not seen nearer
     Eigen::Vector2d camera_m = Eigen::Vector2d::Zero();  ///< robot frame: (forward, left)
     Pose2 T_robot_scan;  ///< robot frame of the scan (end of its cycle) in the robot frame of the record
     FloorFit floor;

@@ -3,20 +3,12 @@
 
 #include <vector>
 
-#include "flownav/core/obstacle_point.h"
-#include "flownav/core/pose2.h"
 #include "flownav/mapping/evidence.h"
+#include "flownav/mapping/obstacle_set.h"
 #include "flownav/mapping/params.h"
+#include "flownav/mapping/rim_memory.h"
 
 namespace flownav::mapping {
-
-/// What one cycle of the sensor saw, and from where.
-struct ObstacleSet {
-    double timestamp_s = 0.0;
-    Pose2 T_map_robot;                  ///< robot pose in the map's frame
-    std::vector<ObstaclePoint> points;  ///< robot frame
-    std::vector<GroundPatch> ground;    ///< robot frame
-};
 
 /// Map of a whole drive: every set fused into one grid in the frame of the start pose. It reaches at most
 /// 1000 m, or 10000 cells, from the start in each direction: a broken odometry must not eat the memory.
@@ -37,6 +29,7 @@ class GlobalMap {
     int sets_ = 0;
     int sets_outside_ = 0;
     std::vector<Evidence> evidence_;  ///< of the newest set
+    RimMemory rims_;
     mrpt::maps::COccupancyGridMap2D grid_;
 };
 

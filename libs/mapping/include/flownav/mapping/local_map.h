@@ -2,19 +2,20 @@
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "flownav/core/recycling_queue.h"
 #include "flownav/mapping/global_map.h"
 #include "flownav/mapping/params.h"
+#include "flownav/mapping/rim_memory.h"
 #include "flownav/math/rolling_grid.h"
 
 namespace flownav::mapping {
 
 /// Map around the robot, x forward and y left, fused from the sets of the last `memory_s` seconds. Keeps the
 /// evidence in cells of the MAP's frame, adds that of a new set, subtracts that of an expired set, and draws
-/// the grid in the robot's frame from these cells.
+/// the grid in the robot's frame from these cells. Rims of drops do not expire: see RimMemory.
 class LocalMap {
   public:
     explicit LocalMap(const MapParams& params);
@@ -47,6 +48,8 @@ class LocalMap {
     };
 
     int log_odds(const Eigen::Vector2i& cell) const;
+    void note_movers(const ObstacleSet& set);
+    void draw_rims(const Eigen::Isometry2d& T_robot_map);
     /// Adds the evidence of an entry and returns how much of it fitted below the limit for free ground.
     int add(const Entry& entry);
     void forget(const Remembered& old);
@@ -54,9 +57,10 @@ class LocalMap {
     MapParams params_;
     RollingGrid<Sum> cells_;  ///< map frame
     RecyclingQueue<Remembered> history_;
+    RimMemory rims_;
     std::vector<Evidence> evidence_;         ///< of the newest set
     int sets_ = 0;                           ///< number of the newest one
-    std::vector<Eigen::Vector2d> movers_m_;  ///< of the newest set, map frame
+    std::vector<Eigen::Vector2d> movers_m_;  ///< of the newest cycle, map frame
     mrpt::maps::COccupancyGridMap2D grid_;
 };
 

@@ -14,6 +14,9 @@ namespace flownav::nav {
 
 struct ContactRule;
 
+/// Tangent of half the cone around the heading in which the flow is smallest and obstacles are found late.
+constexpr double cone_tangent = 0.12;
+
 /// Occupied cell near the robot.
 struct NearObstacle {
     Eigen::Vector2d at_m = Eigen::Vector2d::Zero();  ///< robot frame
@@ -33,6 +36,7 @@ struct Surroundings {
 struct Forecast {
     bool touches = false;
     bool unseen = false;
+    bool unconfirmed = false;
     Eigen::Vector2d where_m = Eigen::Vector2d::Zero();  ///< the obstacle, robot frame
 };
 
@@ -49,6 +53,9 @@ class CollisionChecker {
                       const std::deque<TimedCommand>& sent, const MotionCommand& candidate,
                       double hold_s) const;
 
+    /// True when the floor in the cone is confirmed over the way to standing from a speed.
+    bool is_way_confirmed(const GroundMemory& ground, const Surroundings& now, double v_mps) const;
+
     /// Upper bound of the speed of the fastest point of the outline.
     double outline_mps(const MotionCommand& command) const;
 
@@ -57,7 +64,9 @@ class CollisionChecker {
     ContactRule rule_for(const Surroundings& now, const MotionCommand& candidate) const;
     bool touches(const Surroundings& now, const Pose2& T_robot_then, const ContactRule& rule,
                  Eigen::Vector2d& where_m) const;
-    bool is_unseen(const GroundMemory& ground, const Surroundings& now, const Pose2& T_robot_then) const;
+    template <class Holds>
+    bool holds_under_outline(const Surroundings& now, const std::vector<Pose2>& path,
+                             const Holds& holds) const;
 
     RobotModel robot_;
     CollisionCheckerParams params_;

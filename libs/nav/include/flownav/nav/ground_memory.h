@@ -3,8 +3,10 @@
 #include <mrpt/maps/COccupancyGridMap2D.h>
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
+#include "flownav/core/contact_scan.h"
 #include "flownav/core/pose2.h"
 #include "flownav/math/footprint.h"
 #include "flownav/math/rolling_grid.h"
@@ -14,13 +16,15 @@ namespace flownav::nav {
 
 enum class Ground : unsigned char {
     Unknown,
-    Driven,  ///< the robot was there
-    Free,    ///< seen to be free
+    Unconfirmed,  ///< in view of contact scans that would have confirmed floor, and not confirmed
+    Driven,       ///< the robot was there
+    Free,         ///< seen to be free
     Occupied
 };
 
-/// Memory of the ground around the robot, map frame: cells of the last local maps, and ground that
-/// the robot drove over. The newest evidence of a cell holds; unknown cells of a map change nothing.
+/// Memory of the ground around the robot, map frame: cells of the last local maps, what contact scans saw of
+/// the floor, and ground that the robot drove over. The newest evidence of a cell holds; unknown cells of a
+/// map change nothing, and scans change neither free nor occupied cells.
 class GroundMemory {
   public:
     explicit GroundMemory(const GroundMemoryParams& params);
@@ -28,12 +32,21 @@ class GroundMemory {
     /// A local map (robot frame) and where the robot was. Returns how many cells are free that were unknown.
     int note(const mrpt::maps::COccupancyGridMap2D& local_map, double time_s, const Pose2& T_map_robot);
 
+    /// Takes a contact scan of the record of `time_s`, and where the robot was then. Ground that it confirms
+    /// is confirmed for free_s. Unknown ground in its view that it does not confirm becomes Unconfirmed when
+    /// scans like those that looked at it would have missed floor with less than unconfirmed_chance.
+    void note(const ContactScan& scan, double time_s, const Pose2& T_map_robot);
+
     /// Marks the ground under the robot as driven.
     void mark_traversed(const Polygon& footprint_m, double time_s, const Pose2& T_map_robot);
 
     Ground at(const Eigen::Vector2d& at_m, double time_s) const;
     /// Driven over, seen to be free, or unknown next to ground that was seen to be free.
     bool is_seen(const Eigen::Vector2d& at_m, double time_s) const;
+    /// Unconfirmed, and not a gap of one cell between two free ones.
+    bool is_unconfirmed(const Eigen::Vector2d& at_m, double time_s) const;
+    /// Driven over, or confirmed by a contact scan.
+    bool is_confirmed(const Eigen::Vector2d& at_m, double time_s) const;
     /// Middles of the occupied cells around a place, map frame.
     std::vector<Eigen::Vector2d> obstacles(const Eigen::Vector2d& around_m, double radius_m,
                                            double time_s) const;
@@ -43,10 +56,13 @@ class GroundMemory {
     struct Known {
         Ground ground = Ground::Unknown;
         double until_s = 0.0;  ///< time at which the cell is forgotten
+        double confirmed_until_s = -std::numeric_limits<double>::infinity();
+        double doubt = 0.0;  ///< -log of the chance that so many scans miss floor here
     };
 
     Ground at(const Eigen::Vector2i& cell, double time_s) const;
     bool note_cell(const Eigen::Vector2i& cell, bool is_free, double time_s);
+    void note_unconfirmed(const Eigen::Vector2i& cell, double doubt, double time_s);
     void note_unknown(const Eigen::Vector2i& cell, const Eigen::Vector2d& at_robot_m, double time_s);
 
     GroundMemoryParams params_;

@@ -52,6 +52,10 @@ class Guard {
     /// A local map (robot frame, probability of being FREE) as of `time_s`, and where the robot was then. To
     /// be called after each cycle of the sensor, of a standing robot too.
     void mapped(const mrpt::maps::COccupancyGridMap2D& local_map, double time_s, const Pose2& T_map_robot);
+    /// Takes a contact scan of the record of `time_s`, and where the robot was then. To be called after
+    /// mapped() with the map that holds the scan. Without any scan the rules for unconfirmed ground do not
+    /// apply.
+    void scanned(const ContactScan& scan, double time_s, const Pose2& T_map_robot);
     /// Takes the proposal of the navigator, which is also its heartbeat.
     void proposed(double time_s, const MotionCommand& command);
 
@@ -73,6 +77,8 @@ class Guard {
     bool may_turn_out(const Fault& fault, double time_s) const;
     MotionCommand limited() const;
     Fault objection(const Surroundings& now, const MotionCommand& candidate) const;
+    Fault objection_to_unseen(bool crawls) const;
+    Fault objection_to_speed(const Surroundings& now, const MotionCommand& candidate) const;
     SafetyDecision allow(const Surroundings& now, const MotionCommand& wanted) const;
     SafetyDecision sent(const Surroundings& now, const SafetyDecision& safety);
     void log(double time_s, const SafetyDecision& safety);
@@ -86,6 +92,7 @@ class Guard {
     CollisionChecker collision_checker_;
     std::optional<TimedCommand> proposal_;
     std::optional<double> map_s_;
+    bool has_scans_ = false;                 ///< a contact scan has come
     std::optional<Moment> last_;             ///< of the last check()
     std::deque<TimedCommand> sent_;          ///< commands to the motors within the last delay
     double hold_s_;                          ///< longest time that a command is in force

@@ -34,23 +34,28 @@ struct OdometryWatchParams {
 };
 
 struct GroundMemoryParams {
-    double cell_m = 0.05;         ///< edge of a cell
-    double reach_m = 4.0;         ///< half the edge of the remembered square around the robot
+    double cell_m = 0.05;             ///< edge of a cell
+    double reach_m = 4.0;             ///< half the edge of the remembered square around the robot
     mapping::OccupancyLimits limits;  ///< of the local maps
-    double obstacle_s = 60.0;     ///< time until an obstacle that the map no longer shows is forgotten
-    double in_view_s = 10.0;      ///< the same for an obstacle in view of the camera
-    double view_half_rad = 0.35;  ///< half the angle of view that in_view_s applies to
-    double free_s = 30.0;         ///< time until free ground is forgotten
-    double driven_s = 120.0;      ///< time until ground that the robot drove over is forgotten
-    double seen_near_m = 0.08;    ///< unknown ground this near to free ground counts as seen
+    double obstacle_s = 60.0;         ///< time until an obstacle that the map no longer shows is forgotten
+    double in_view_s = 10.0;          ///< the same for an obstacle in view of the camera
+    double view_half_rad = 0.35;      ///< half the angle of view that in_view_s applies to
+    double free_s = 30.0;             ///< time until free ground is forgotten
+    double driven_s = 120.0;          ///< time until ground that the robot drove over is forgotten
+    double seen_near_m = 0.08;        ///< unknown ground this near to free ground counts as seen
+    // Unknown ground in view of a contact scan.
+    double unconfirmed_within_m = 1.2;  ///< forward distance up to which it may become unconfirmed; 0: off
+    double unconfirmed_chance = 0.02;   ///< unconfirmed when scans miss floor so often with a smaller chance
+    double unconfirmed_s = 60.0;        ///< time until it is forgotten
 };
 
 struct CollisionCheckerParams {
-    double period_s = 0.06;     ///< shortest time that a command is assumed to be in force
-    double touch_m = 0.02;      ///< distance kept to obstacles at any speed
-    double margin_s = 0.1;      ///< distance added per m/s of the outline beyond crawl_mps
-    double crawl_mps = 0.1;     ///< speed of the fastest point of the outline of a robot that crawls
-    double unseen_max_m = 0.1;  ///< length of the outline that may pass over unseen ground
+    double period_s = 0.06;        ///< shortest time that a command is assumed to be in force
+    double touch_m = 0.02;         ///< distance kept to obstacles at any speed
+    double margin_s = 0.1;         ///< distance added per m/s of the outline beyond crawl_mps
+    double crawl_mps = 0.1;        ///< speed of the fastest point of the outline of a robot that crawls
+    double unseen_max_m = 0.1;     ///< length of the outline that may pass over unseen ground
+    double unconfirmed_mps = 0.3;  ///< fastest speed while the floor straight ahead is not confirmed
 };
 
 struct GuardParams {

@@ -11,6 +11,7 @@ enum class GuardAction { Pass, Slow, Stop };
 enum class GuardReason {
     None,
     UnseenAhead,            ///< ground on the way has not been seen
+    UnconfirmedAhead,       ///< ground in view of the contact scan was not confirmed as floor
     ObstacleAhead,          ///< something stands on the way
     OdometryContradiction,  ///< wheels and flow disagree, or the wheels' pose jumped or stopped coming
     SensorFrozen,           ///< the same image again and again while the wheels turn

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "flownav/core/contact_scan.h"
 #include "flownav/core/navigation_params.h"
 #include "flownav/core/sensor_report.h"
 #include "flownav/mapping/local_map.h"
@@ -21,6 +22,7 @@ struct SensorUpdate {
     std::optional<Pose2> T_start_robot;  ///< flow odometry; empty: not measured
     std::vector<ObstaclePoint> points;   ///< robot frame at report.timestamp_s
     std::vector<GroundPatch> ground;     ///< robot frame at report.timestamp_s
+    ContactScan contacts = {};           ///< ContactGate::Off: no new scan
 };
 
 /// Pose, maps, recovery manager and guard between sensor and motors. Takes readings in the order of their

@@ -60,6 +60,7 @@ class Outputs {
     evaluation::ObstaclesCsv obstacles_;
     ResultRawlog rawlog_;
     mapping::GlobalMap map_;
+    mapping::ObstacleSet set_;  ///< reused to avoid allocations
     std::optional<report::DriveVideo> video_;
     std::optional<io::FlowFieldFile> flow_field_;
 };
