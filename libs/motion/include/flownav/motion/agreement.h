@@ -8,13 +8,13 @@ namespace flownav::motion {
 struct AgreementLimits {
     double amount_min = 0.0;  ///< motion within the window that is needed to tell an agreement
     double slack = 0.0;       ///< difference within the window that is always allowed
-    double share = 0.3;       ///< allowed difference, of the motion within the window
+    double share = 0.25;      ///< allowed difference, of the motion within the window
 };
 
 /// Compares a quantity of another sensor, travel or turn, with the flow over the last seconds.
 class Agreement {
   public:
-    static constexpr double window_s = 5.0;
+    static constexpr double window_s = 3.0;
 
     /// One interval that both measured.
     struct Pair {
