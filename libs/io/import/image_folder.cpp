@@ -92,8 +92,7 @@ std::vector<GyroRate> read_gyro_file(const fs::path& file) {
     const std::vector<double> rates = read_column(lines, true, *column, file, "turn rate");
     std::vector<GyroRate> readings;
     for (std::size_t i = 0; i + 1 < times_s.size(); ++i)
-        readings.push_back(
-            {0.5 * (times_s[i] + times_s[i + 1]), rates[i] * (in_degrees ? degree_rad : 1.0)});
+        readings.push_back({0.5 * (times_s[i] + times_s[i + 1]), rates[i] * (in_degrees ? degree_rad : 1.0)});
     return readings;
 }
 

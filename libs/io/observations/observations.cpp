@@ -77,7 +77,8 @@ mrpt::obs::CObservationRobotPose::Ptr pose_observation(const pipeline::Step& ste
     observation->pose.mean = mrpt::poses::CPose3D(pose.x_m, pose.y_m, 0, pose.yaw_rad, 0, 0);
     observation->pose.cov.setZero();
     for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k) observation->pose.cov(x_y_yaw.at(i), x_y_yaw.at(k)) = step.covariance(i, k);
+        for (int k = 0; k < 3; ++k)
+            observation->pose.cov(x_y_yaw.at(i), x_y_yaw.at(k)) = step.covariance(i, k);
     return observation;
 }
 

@@ -34,7 +34,7 @@ std::optional<SensorEvent> ReadingsFirst::pop() {
 
 bool ReadingsFirst::must_wait(const Field& field) const {
     const auto may_come = [&field](const std::optional<double>& newest_s) {
-        return newest_s && *newest_s < field.timestamp_s && *newest_s > field.timestamp_s - pause_s;
+        return newest_s && *newest_s<field.timestamp_s&& * newest_s> field.timestamp_s - pause_s;
     };
     return may_come(wheels_s_) || may_come(gyro_s_);
 }

@@ -75,8 +75,8 @@ void GyroTrack::learn_bias(double from_s, double to_s, double omega_rad, double 
     learnt_s_ = to_s;
     const double error_radps = (told->omega_rad - omega_rad) / dt_s;  // of the bias so far
     // What belongs to the scale or to the noise teaches nothing about the bias.
-    const double without_bias_rad = std::sqrt(
-        std::max(0.0, told->sigma_rad * told->sigma_rad - bias_variance_ * dt_s * dt_s));
+    const double without_bias_rad =
+        std::sqrt(std::max(0.0, told->sigma_rad * told->sigma_rad - bias_variance_ * dt_s * dt_s));
     const double sigma_radps =
         std::max(lesson_sigma_min_radps, std::hypot(sigma_rad, without_bias_rad) / dt_s);
     const double variance = bias_variance_ + sigma_radps * sigma_radps;

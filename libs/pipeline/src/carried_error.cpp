@@ -22,8 +22,7 @@ double CarriedError::Error::sigma() const {
     return std::hypot(before, stretch);
 }
 
-void CarriedError::note(const Step& step, const KnownParts& known, double since_field_s,
-                        double carry_max_s) {
+void CarriedError::note(const Step& step, const KnownParts& known, double since_field_s, double carry_max_s) {
     const bool turn_measured = known.turn;
     const bool speed_measured = known.turn && known.way;
     since_s_ = speed_measured ? 0.0 : since_s_ + since_field_s;

@@ -11,8 +11,7 @@ constexpr double carried_min_s = 1e-6;
 }  // namespace
 
 std::optional<MotionHistory::Entry> MotionHistory::at(double time_s) const {
-    if (entries_.empty() || !(time_s >= entries_.front().timestamp_s) ||
-        time_s > entries_.back().timestamp_s)
+    if (entries_.empty() || !(time_s >= entries_.front().timestamp_s) || time_s > entries_.back().timestamp_s)
         return std::nullopt;
     const auto is_before = [time_s](const Entry& e) { return e.timestamp_s < time_s; };
     const std::size_t later = entries_.partition_point(is_before);

@@ -6,7 +6,7 @@
 namespace flownav::pipeline {
 namespace {
 
-constexpr double outlier = 3.0;  // standard deviations from which two values are not averaged
+constexpr double outlier = 3.0;      // standard deviations from which two values are not averaged
 constexpr double flow_scale = 0.01;  // error of the flow's travel by height and pitch of the camera, relative
 // Readings farther from a field are those of another clock, or of a sensor that fell silent.
 constexpr double late_s = 1.0;
@@ -86,15 +86,15 @@ ToldMotion OtherSensors::between(double from_s, double to_s) const {
     const auto wheels = wheels_.between(from_s, to_s);
     if (wheels && believed(checks.wheels_way)) {
         const Pose2& moved = wheels->T_from_to;
-        told.way = ToldValue{motion::chord_m(moved), wheels->sigma_forward_m, MotionSource::Wheels,
-                             params_.wheels};
+        told.way =
+            ToldValue{motion::chord_m(moved), wheels->sigma_forward_m, MotionSource::Wheels, params_.wheels};
         const double back_rad = told.way->value < 0.0 ? M_PI : 0.0;
         if (std::abs(told.way->value) > standing_m)
             told.chord_rad = wrap_angle(std::atan2(moved.y_m, moved.x_m) - back_rad - moved.yaw_rad / 2);
     }
     if (wheels && believed(checks.wheels_turn))
-        told.turn =
-            ToldValue{wheels->T_from_to.yaw_rad, wheels->sigma_turn_rad, MotionSource::Wheels, params_.wheels};
+        told.turn = ToldValue{wheels->T_from_to.yaw_rad, wheels->sigma_turn_rad, MotionSource::Wheels,
+                              params_.wheels};
     const auto gyro = gyro_.between(from_s, to_s);
     if (gyro && believed(checks.gyro))
         told.turn = ToldValue{gyro->omega_rad, gyro->sigma_rad, MotionSource::Gyro, params_.gyro};

@@ -80,7 +80,8 @@ const Step& State::Impl::take(const Field& field) {
 
 /// Keeps how far the pose can be relied on, and the pose itself for motion_between().
 void State::Impl::note_pose(double since_field_s) {
-    const KnownParts known{step_.motion.omega_measured || bridged_, step_.motion.forward_measured || bridged_};
+    const KnownParts known{step_.motion.omega_measured || bridged_,
+                           step_.motion.forward_measured || bridged_};
     carried_error_.note(step_, known, since_field_s, params_.rate.carry_max_s);
     const CarriedPose carried = carried_error_.pose();
     record_reliability(step_, carried, uncertainty_.covariance(T_start_robot_, carried), others_.checks());
@@ -144,8 +145,7 @@ void State::Impl::bridge_gap(double gap_s) {
 void State::Impl::compare(double since_last_s) {
     const int image = static_cast<int>(cycle_.size()) + 1;
     const Elapsed elapsed{since_last_s, newest_.field.timestamp_s - reference_.field.timestamp_s};
-    const ToldMotion told =
-        others_.between(reference_.field.timestamp_s, newest_.field.timestamp_s);
+    const ToldMotion told = others_.between(reference_.field.timestamp_s, newest_.field.timestamp_s);
     const motion::MotionPrediction prediction = predict(rates_, cycle_, elapsed, told);
     const bool is_credible =
         measure_motion({reference_, newest_, layout_, coarse_layout_, rates_, cycle_, since_last_s, told},

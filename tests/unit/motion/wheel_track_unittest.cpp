@@ -16,7 +16,8 @@ WheelTrack driven(double v_mps, double omega_radps, int readings = 41) {
     for (int i = 0; i < readings; ++i) {
         const double time_s = i * period_s;
         const double turn_rad = omega_radps * time_s;
-        const double chord = turn_rad == 0.0 ? v_mps * time_s : 2 * v_mps / omega_radps * std::sin(turn_rad / 2);
+        const double chord =
+            turn_rad == 0.0 ? v_mps * time_s : 2 * v_mps / omega_radps * std::sin(turn_rad / 2);
         track.note({time_s, compose(start, along_arc(turn_rad, chord))});
     }
     return track;

@@ -31,8 +31,8 @@ HalfSeenDrive drive_into_nothing(double v_mps, double omega_degps, std::size_t s
     for (std::size_t i = 0; i < scene.poses.size(); ++i) {
         const bool see = i < seen;
         Field field = i <= seen ? make_field(scene, static_cast<int>(i)) : drive.fields[seen];
-        field.timestamp_s = drive.fields.empty() ? field.timestamp_s
-                                                 : drive.fields[0].timestamp_s + i / options.rate_hz;
+        field.timestamp_s =
+            drive.fields.empty() ? field.timestamp_s : drive.fields[0].timestamp_s + i / options.rate_hz;
         drive.fields.push_back(see ? field : testing::without_texture(field, static_cast<unsigned>(i)));
     }
     return drive;
@@ -224,8 +224,8 @@ TEST(OtherSensors, ReadingsOfAnotherClockAreReportedAndNotUsed) {
 
 /// Share of the images whose obstacle blocks were found on a floor without texture between textured things.
 int cycles_with_obstacles(const std::vector<Step>& steps) {
-    return static_cast<int>(std::count_if(steps.begin(), steps.end(),
-                                          [](const Step& s) { return s.counts.obstacle >= 5; }));
+    return static_cast<int>(
+        std::count_if(steps.begin(), steps.end(), [](const Step& s) { return s.counts.obstacle >= 5; }));
 }
 
 TEST(Wheels, OnAFloorWithoutTextureTheThingsOnItAreFound) {

@@ -18,7 +18,8 @@ MotionHistory arc_to_the_left() {
     MotionHistory history;
     for (int i = 0; i <= 50; ++i) {
         const double time_s = 10.0 + 0.04 * i;
-        history.note({time_s, along_arc(0.02 * i, 0.016 * i), 1e-6 * i, 2e-6 * i, i > 40 ? 0.04 * (i - 40) : 0.0});
+        history.note(
+            {time_s, along_arc(0.02 * i, 0.016 * i), 1e-6 * i, 2e-6 * i, i > 40 ? 0.04 * (i - 40) : 0.0});
     }
     return history;
 }

@@ -39,8 +39,8 @@ std::vector<pipeline::Step> run(pipeline::State& state, const std::vector<Field>
         if (!sensors.gyro || i == 0) return;
         const double dt_s = fields[i].timestamp_s - fields[i - 1].timestamp_s;
         const double omega_radps = wrap_angle(poses[i].yaw_rad - poses[i - 1].yaw_rad) / dt_s;
-        pipeline::note_gyro(state, {time_s - dt_s / 2,
-                                    sensors.turn_scale * omega_radps + sensors.gyro_bias_radps});
+        pipeline::note_gyro(state,
+                            {time_s - dt_s / 2, sensors.turn_scale * omega_radps + sensors.gyro_bias_radps});
     };
     std::vector<pipeline::Step> steps;
     note(0);

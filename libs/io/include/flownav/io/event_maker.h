@@ -47,13 +47,13 @@ struct InputCounts {
 std::string why_no_field(const InputCounts& counts, const std::string& source,
                          const std::string& camera_label);
 
-/// Turns observations into fields, poses and gyro readings: applies the calibration (ini over recording), converts colour to
-/// grey (also the intensity image of a CObservation3DRangeScan of the camera's label), splits woven frames,
-/// rejects unusable observations and counts the reasons: time_invalid, time_repeated, time_backwards,
-/// image_missing (external file), image_unreadable, image_empty, image_not_8bit; for poses time_invalid,
-/// time_repeated, time_backwards and not_finite with the prefix odometry_, ground_truth_ or gyro_. A
-/// CObservationIMU with turn rates is a gyro, of the first label that has them; its rate is taken about the
-/// robot's upward axis by the sensor's pose. Fields of 8-bit grey images are views that share the
+/// Turns observations into fields, poses and gyro readings: applies the calibration (ini over recording),
+/// converts colour to grey (also the intensity image of a CObservation3DRangeScan of the camera's label),
+/// splits woven frames, rejects unusable observations and counts the reasons: time_invalid, time_repeated,
+/// time_backwards, image_missing (external file), image_unreadable, image_empty, image_not_8bit; for poses
+/// time_invalid, time_repeated, time_backwards and not_finite with the prefix odometry_, ground_truth_ or
+/// gyro_. A CObservationIMU with turn rates is a gyro, of the first label that has them; its rate is taken
+/// about the robot's upward axis by the sensor's pose. Fields of 8-bit grey images are views that share the
 /// observation's pixels. Times rise strictly within each kind of event.
 class EventMaker {
   public:

@@ -19,9 +19,9 @@ struct FrameTimes {
 /// separated by commas, semicolons or blanks. Throws InputError, also when the times do not rise.
 std::vector<double> read_times_file(const std::filesystem::path& file);
 
-/// Reads gyro readings from the column gyro_z_degps or gyro_z_radps (> 0 to the left) of a file with times: the
-/// mean rate from the time of its row to that of the next, dated half-way. Empty when there is no such column.
-/// Throws InputError.
+/// Reads gyro readings from the column gyro_z_degps or gyro_z_radps (> 0 to the left) of a file with times:
+/// the mean rate from the time of its row to that of the next, dated half-way. Empty when there is no such
+/// column. Throws InputError.
 std::vector<GyroRate> read_gyro_file(const std::filesystem::path& file);
 
 /// Pictures (png, jpg, bmp, pgm, tif) of a folder in the order of their names, with digits compared as

@@ -24,8 +24,8 @@ struct RecordingCounts {
 };
 
 /// Writes a sequence as a gz rawlog of standard observations: every image with its calibration and camera
-/// pose, GROUND_TRUTH for every pose and IMU for every reading of a gyro. The file gets its name when it is complete and is removed on
-/// failure. Throws OutputError, and InputError when no image can be read.
+/// pose, GROUND_TRUTH for every pose and IMU for every reading of a gyro. The file gets its name when it is
+/// complete and is removed on failure. Throws OutputError, and InputError when no image can be read.
 RecordingCounts write_recording(ImageSequence& sequence, const RecordingOptions& options);
 
 }  // namespace flownav::io

@@ -44,9 +44,9 @@ class State {
     std::unique_ptr<Impl> impl_;
 };
 
-/// Takes a reading of the wheels or of a gyro, before the field that it belongs to; a field needs the readings
-/// up to its time, better also the next one. Optional: Params::other_sensors tells what they are used for. A
-/// reading that is not finite, or not later than the last of its kind, is left out.
+/// Takes a reading of the wheels or of a gyro, before the field that it belongs to; a field needs the
+/// readings up to its time, better also the next one. Optional: Params::other_sensors tells what they are
+/// used for. A reading that is not finite, or not later than the last of its kind, is left out.
 void note_wheels(State& state, const WheelPose& reading);
 void note_gyro(State& state, const GyroRate& reading);
 

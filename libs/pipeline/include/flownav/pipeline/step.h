@@ -58,8 +58,8 @@ struct Step {
     double omega_radps = 0.0;             ///< from the previous field to this one, > 0 left
     double pitch_rate_radps = 0.0;        ///< from the previous field to this one, > 0 raises the view
     double v_mps = 0.0;                   ///< mean forward speed since the reference
-    /// A cycle ended here and measured it, or other sensors told it: motion.forward_source; false: predicted or
-    /// carried over.
+    /// A cycle ended here and measured it, or other sensors told it: motion.forward_source; false: predicted
+    /// or carried over.
     bool v_measured = false;
     double pitch_correction_rad = 0.0;  ///< added to the pitch of the field's camera (pitch_online)
     EgoMotion motion;                   ///< from the cycle's reference to this field
