@@ -65,7 +65,8 @@ TEST(MotionBetween, OfAPipelineFollowsTheTruthAndBridgesWhatWasCarriedOverByTheW
     options.camera = testing::standard_camera(320, 240);
     const testing::Scene scene = testing::drive(options);
     auto fields = render_fields(scene);
-    for (std::size_t i = 20; i < 30; ++i) fields[i] = testing::without_texture(fields[i], 1U + i);
+    for (std::size_t i = 20; i < 30; ++i)
+        fields[i] = testing::without_texture(fields[i], static_cast<unsigned>(i));
     pipeline::State alone{pipeline::Params{}};
     pipeline::State with_wheels{pipeline::Params{}};
     testing::run(alone, fields, scene.poses, {});

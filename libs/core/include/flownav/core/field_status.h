@@ -4,10 +4,11 @@
 
 namespace flownav {
 
-/// Outcome of one field.
+/// Outcome of one field: what the camera saw of the motion. Other sensors may tell the motion of any field,
+/// see EgoMotion::omega_source; the status stays that of the camera.
 enum class FieldStatus {
-    Ok,         ///< omega was measured with this field
-    Waiting,    ///< first field, or first after a gap: it becomes the reference, no motion is measured
+    Ok,         ///< the flow measured omega with this field
+    Waiting,    ///< first field, or first after a gap: it becomes the reference, the flow measures no motion
     Lost,       ///< the vectors agree on no common motion
     NoTexture,  ///< too few unambiguous vectors
     BadField,   ///< the field is unusable, see FieldFault; the reference is kept
