@@ -30,8 +30,7 @@ void GyroTrack::note(const GyroRate& reading) {
     nodes_.push(node);
 }
 
-/// Integral of the readings up to `time_s`; outside them the rate goes on.
-std::optional<double> GyroTrack::heading_at(double time_s) const {
+std::optional<GyroTrack::Heading> GyroTrack::at(double time_s) const {
     if (nodes_.empty()) return std::nullopt;
     const auto is_before = [time_s](const Node& n) { return n.timestamp_s < time_s; };
     const std::size_t later = nodes_.partition_point(is_before);
@@ -39,28 +38,29 @@ std::optional<double> GyroTrack::heading_at(double time_s) const {
         const Node& end = later == 0 ? nodes_.front() : nodes_.back();
         const double outside_s = time_s - end.timestamp_s;
         if (std::abs(outside_s) > extrapolation_s) return std::nullopt;
-        return end.heading_rad + end.omega_radps * outside_s;
+        return Heading{end.heading_rad + end.omega_radps * outside_s, end.omega_radps};
     }
     const Node& a = nodes_[later - 1];
     const Node& b = nodes_[later];
     const double since_s = time_s - a.timestamp_s;
     const double slope_radps2 = (b.omega_radps - a.omega_radps) / (b.timestamp_s - a.timestamp_s);
-    return a.heading_rad + (a.omega_radps + 0.5 * slope_radps2 * since_s) * since_s;
+    return Heading{a.heading_rad + (a.omega_radps + 0.5 * slope_radps2 * since_s) * since_s,
+                   a.omega_radps + slope_radps2 * since_s};
 }
 
 std::optional<GyroTurn> GyroTrack::between(double from_s, double to_s) const {
-    const auto from_rad = heading_at(from_s);
-    const auto to_rad = heading_at(to_s);
-    if (!from_rad || !to_rad || !(from_s <= to_s)) return std::nullopt;
+    const auto from = at(from_s);
+    const auto to = at(to_s);
+    if (!from || !to || !(from_s <= to_s)) return std::nullopt;
     const auto is_before = [to_s](const Node& n) { return n.timestamp_s < to_s; };
     const Node& end = nodes_[std::min(nodes_.partition_point(is_before), nodes_.size() - 1)];
     if (end.begun_s - extrapolation_s > from_s) return std::nullopt;
     const double dt_s = to_s - from_s;
     GyroTurn turn;
-    turn.omega_rad = *to_rad - *from_rad - bias_radps_ * dt_s;
+    turn.omega_rad = to->heading_rad - from->heading_rad - bias_radps_ * dt_s;
     const double scale_rad = turn_share * turn.omega_rad;
     const double noise_rad = noise_rad_per_sqrt_s * std::sqrt(dt_s);
-    const double late_rad = dt_s > 0.0 ? late_s * turn.omega_rad / dt_s : 0.0;
+    const double late_rad = late_s * (to->omega_radps - from->omega_radps);
     const double bias_rad = std::sqrt(bias_variance_) * dt_s;
     turn.sigma_rad = std::hypot(std::hypot(scale_rad, noise_rad), std::hypot(late_rad, bias_rad));
     return turn;

@@ -16,15 +16,16 @@ constexpr double standing_s = 0.4;
 constexpr double standing_m = 0.0005;
 constexpr double standing_rad = 0.0005;
 
-/// Average of two values, weighted by their precision; the measured one where they differ too much.
+/// See averaged(), for one part.
 void average(double& value, double& sigma, MotionSource& source, const ToldValue& told) {
     const double variance = sigma * sigma;
     const double told_variance = told.sigma * told.sigma;
     const double difference = told.value - value;
-    if (difference * difference > outlier * outlier * (variance + told_variance)) return;
-    const double gain = variance / std::max(variance + told_variance, 1e-18);
+    const bool differs = difference * difference > outlier * outlier * (variance + told_variance);
+    if (differs && !told.outdoes_flow) return;
+    const double gain = differs ? 1.0 : variance / std::max(variance + told_variance, 1e-18);
     value += gain * difference;
-    sigma = std::sqrt((1.0 - gain) * variance);
+    sigma = differs ? told.sigma : std::sqrt((1.0 - gain) * variance);
     if (gain > 0.5) source = told.source;
 }
 
@@ -97,7 +98,8 @@ ToldMotion OtherSensors::between(double from_s, double to_s) const {
                               params_.wheels};
     const auto gyro = gyro_.between(from_s, to_s);
     if (gyro && believed(checks.gyro))
-        told.turn = ToldValue{gyro->omega_rad, gyro->sigma_rad, MotionSource::Gyro, params_.gyro};
+        told.turn = ToldValue{gyro->omega_rad, gyro->sigma_rad, MotionSource::Gyro, params_.gyro,
+                              checks.gyro.agreement == SensorAgreement::Agrees};
     return told;
 }
 

@@ -16,6 +16,9 @@ struct ToldValue {
     double sigma = 0.0;  ///< standard error
     MotionSource source = MotionSource::Prediction;
     SensorUse use = SensorUse::Fallback;
+    /// Where it differs much from the flow in one field, the flow is wrong. True for a gyro that agreed with
+    /// the flow over the last seconds: it neither slips nor follows a moving object.
+    bool outdoes_flow = false;
 
     bool is_prior() const { return use == SensorUse::Prior; }
 };
@@ -31,7 +34,9 @@ struct ToldMotion {
 /// Adds the told parts to those that the flow did not measure.
 EgoMotion completed(EgoMotion motion, const ToldMotion& told);
 
-/// Averages measured parts with those that are told as a prior and agree with them.
+/// Averages measured parts with those that are told as a prior, by their standard errors. Where they differ
+/// by more than 3 standard deviations, the measured part stays, or the told one replaces it if that outdoes
+/// the flow.
 EgoMotion averaged(EgoMotion motion, const ToldMotion& told);
 
 /// The pose after a told motion in the frame before it; empty unless turn and way are told.

@@ -42,7 +42,13 @@ class GyroTrack {
         double begun_s = 0.0;      ///< first reading after the last pause
     };
 
-    std::optional<double> heading_at(double time_s) const;
+    /// Integral of the readings up to a time, and the rate then; outside the readings the rate goes on.
+    struct Heading {
+        double heading_rad = 0.0;
+        double omega_radps = 0.0;
+    };
+
+    std::optional<Heading> at(double time_s) const;
 
     Ring<Node, 2048> nodes_;
     double bias_radps_ = 0.0;
