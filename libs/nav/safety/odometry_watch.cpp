@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "flownav/core/interpolate.h"
 #include "sentence.h"
 
 namespace flownav::nav {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flownav/core/interpolate.h"
+
 namespace flownav::pipeline {
 namespace {
 

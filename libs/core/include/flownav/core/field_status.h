@@ -4,11 +4,10 @@
 
 namespace flownav {
 
-/// Outcome of one field: what the camera saw of the motion. Other sensors may tell the motion of any field,
-/// see EgoMotion::omega_source; the status stays that of the camera.
+/// Outcome of one field.
 enum class FieldStatus {
-    Ok,         ///< the flow measured omega with this field
-    Waiting,    ///< first field, or first after a gap: it becomes the reference, the flow measures no motion
+    Ok,         ///< omega was measured with this field
+    Waiting,    ///< first field, or first after a gap: it becomes the reference, no motion is measured
     Lost,       ///< the vectors agree on no common motion
     NoTexture,  ///< too few unambiguous vectors
     BadField,   ///< the field is unusable, see FieldFault; the reference is kept

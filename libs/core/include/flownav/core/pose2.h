@@ -29,13 +29,6 @@ inline Pose2 inverse(const Pose2& p) {
     return {-c * p.x_m - s * p.y_m, s * p.x_m - c * p.y_m, -p.yaw_rad};
 }
 
-/// Pose at `share` of the way from `a` to `b`, share 0..1: on the straight line, at constant turn rate. A
-/// share above 1 goes on beyond `b`.
-inline Pose2 interpolated(const Pose2& a, const Pose2& b, double share) {
-    const Pose2 T_a_b = compose(inverse(a), b);
-    return compose(a, {share * T_a_b.x_m, share * T_a_b.y_m, share * T_a_b.yaw_rad});
-}
-
 /// Point p_b in frame a, given T_a_b.
 inline Eigen::Vector2d transform(const Pose2& T_a_b, const Eigen::Vector2d& p_b) {
     const double c = std::cos(T_a_b.yaw_rad);
