@@ -103,10 +103,6 @@ ToldMotion OtherSensors::between(double from_s, double to_s) const {
     return told;
 }
 
-std::optional<motion::WheelMotion> OtherSensors::wheels_between(double from_s, double to_s) const {
-    return wheels_.between(from_s, to_s);
-}
-
 void OtherSensors::compare(double from_s, double to_s, const EgoMotion& flow) {
     compare_wheels(from_s, to_s, flow);
     compare_gyro(from_s, to_s, flow);

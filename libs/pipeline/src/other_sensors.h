@@ -53,9 +53,6 @@ class OtherSensors {
     /// The motion between the times of two fields.
     ToldMotion between(double from_s, double to_s) const;
 
-    /// The same by the wheels alone, believed or not; empty without wheels.
-    std::optional<motion::WheelMotion> wheels_between(double from_s, double to_s) const;
-
     /// Compares with the motion that the flow measured between two fields, and learns the bias of the gyro.
     void compare(double from_s, double to_s, const EgoMotion& flow);
 
