@@ -26,7 +26,7 @@ EgomotionCsv::EgomotionCsv(const std::filesystem::path& path) : file_(path) {
 
 void EgomotionCsv::write(const pipeline::Step& step) {
     const bool pitch_known = step.status == FieldStatus::Ok;
-    const bool turn_known = step.motion.omega_measured;
+    const bool turn_known = pitch_known || step.motion.omega_measured;
     const bool speed_known = step.status != FieldStatus::Waiting;
     file_.write(row({cli::time_text(step.timestamp_s), to_string(step.status),
                      turn_known ? cli::fixed_text(step.omega_radps, 6) : "",

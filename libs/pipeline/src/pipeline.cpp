@@ -1,7 +1,5 @@
 #include "flownav/pipeline/pipeline.h"
 
-#include <algorithm>
-
 #include "field_quality.h"
 #include "flownav/flow/matcher_registry.h"
 #include "flownav/obstacles/virtual_scan.h"
