@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "flownav/pipeline/motion_history.h"
+#include "other_sensors.h"
 #include "pose_uncertainty.h"
 #include "told_drives.h"
 
@@ -88,6 +89,38 @@ TEST(MotionBetween, OfAPipelineFollowsTheTruthAndBridgesWhatWasCarriedOverByTheW
     EXPECT_NE(told->source, MotionSource::Prediction);
     EXPECT_NEAR(told->T_from_to.x_m, over_nothing.x_m, 0.01);
     EXPECT_NEAR(told->T_from_to.yaw_rad, over_nothing.yaw_rad, 0.01);
+}
+
+/// A turn of 0.10 rad by the flow, averaged with a turn that is told as a prior.
+EgoMotion averaged_turn(double told_rad, bool outdoes_flow) {
+    EgoMotion flow;
+    flow.omega_rad = 0.10;
+    flow.sigma_omega_rad = 0.01;
+    flow.omega_measured = true;
+    flow.omega_source = MotionSource::Flow;
+    pipeline::ToldMotion told;
+    told.turn =
+        pipeline::ToldValue{told_rad, 0.01, MotionSource::Gyro, pipeline::SensorUse::Prior, outdoes_flow};
+    return pipeline::averaged(flow, told);
+}
+
+TEST(AveragedTurn, IsTheMeanOfValuesThatAreEquallyGood) {
+    const EgoMotion motion = averaged_turn(0.12, false);
+    EXPECT_NEAR(motion.omega_rad, 0.11, 1e-12);
+    EXPECT_NEAR(motion.sigma_omega_rad, 0.01 / std::sqrt(2.0), 1e-12);
+}
+
+TEST(AveragedTurn, IsThatOfTheFlowWhereTheOtherDiffersMuch) {
+    const EgoMotion motion = averaged_turn(0.20, false);
+    EXPECT_EQ(motion.omega_rad, 0.10);
+    EXPECT_EQ(motion.omega_source, MotionSource::Flow);
+}
+
+TEST(AveragedTurn, IsThatOfAGyroThatAgreedBeforeWhereTheFlowDiffersMuch) {
+    const EgoMotion motion = averaged_turn(0.20, true);
+    EXPECT_NEAR(motion.omega_rad, 0.20, 1e-12);
+    EXPECT_EQ(motion.sigma_omega_rad, 0.01);
+    EXPECT_EQ(motion.omega_source, MotionSource::Gyro);
 }
 
 EgoMotion measured(double forward_m, double sigma_forward_m, double sigma_omega_rad) {
