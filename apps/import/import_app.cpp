@@ -35,6 +35,10 @@ std::unique_ptr<io::ImageSequence> open_sequence(const ImportOptions& o) {
     return nullptr;
 }
 
+std::string gyro_words(std::uint64_t readings) {
+    return ", " + std::to_string(readings) + " readings of a gyro";
+}
+
 int report_problems(const io::ImageSequence& sequence, std::ostream& error) {
     const auto& problems = sequence.problems();
     for (std::size_t i = 0; i < problems.size() && i < problems_shown; ++i) {
@@ -61,7 +65,7 @@ int run(const ImportOptions& options, std::ostream& out, std::ostream& error) {
     progress.finish(counts.fields);
     if (!options.quiet) {
         out << options.output.string() << ": " << counts.fields << " images, " << counts.poses
-            << " poses of ground truth\n";
+            << " poses of ground truth" << (counts.gyro > 0 ? gyro_words(counts.gyro) : "") << '\n';
     }
     return report_problems(*sequence, error);
 }

@@ -31,7 +31,9 @@ flownav-import video FILE --camera C.ini  --output F.rawlog [--rate HZ] [--inter
   --rate HZ                    images a second, where the images have no times: default 25, KITTI 10, a video its own
   --times T.csv                times in seconds, one a row, in the order of the images: the column timestamp_s,
                                timestamp, time_s or time of the header, or the first column when there is no header.
-                               Without --times and --rate, times.txt or log.csv in or beside DIR is taken when there
+                               Without --times and --rate, times.txt or log.csv in or beside DIR is taken when there.
+                               A column gyro_z_degps or gyro_z_radps, > 0 to the left, becomes a CObservationIMU: the
+                               mean rate from its row to the next, dated half-way
   --interlaced ORDER           every image is two woven fields; they are written as two images, half a period apart
   --quiet                      no progress and no closing line
   --help, --version            print this text, or the version, and exit

@@ -58,7 +58,7 @@ Writes into DIR:
   egomotion.csv             one row a field: status, turn rate, speed, counts
   obstacles.csv             one row an obstacle point, robot frame (x forward, y left, z up; metres)
   map.pgm, map.yaml, map.gridmap.gz   the map of the drive, for ROS and for MRPT
-  result.rawlog             odometry, FLOW_ODOMETRY, FLOW_SCAN, FLOW_POINTS for MRPT's tools
+  result.rawlog             odometry, FLOW_ODOMETRY, FLOW_POSE, FLOW_SCAN, FLOW_POINTS for MRPT's tools
 
 Exit status:
   0  fine

@@ -2,6 +2,7 @@
 
 #include "flownav/config/make_state.h"
 #include "flownav/evaluation/field_row.h"
+#include "flownav/io/note_reading.h"
 
 namespace flownav::view {
 
@@ -32,6 +33,7 @@ std::optional<io::ReplayEvent> Runner::next_event() {
 bool Runner::advance() {
     poses_.clear();
     while (const auto event = next_event()) {
+        io::note_reading(state_, *event);
         if (const auto* sample = std::get_if<io::PoseSample>(&*event)) {
             poses_.push_back(*sample);
         } else if (const auto* field = std::get_if<Field>(&*event)) {

@@ -110,6 +110,12 @@ std::vector<Key> flow_keys() {
     };
 }
 
+std::vector<std::pair<const char*, pipeline::SensorUse>> sensor_uses() {
+    return {{"off", pipeline::SensorUse::Off},
+            {"fallback", pipeline::SensorUse::Fallback},
+            {"prior", pipeline::SensorUse::Prior}};
+}
+
 std::vector<Key> motion_keys() {
     return {
         word<Geometry>(
@@ -127,6 +133,12 @@ std::vector<Key> motion_keys() {
         number<double>(
             {"motion", "travel_m", "m", "travel per cycle that cycle_images = auto aims at", everyday},
             {0.001, 10}, AT(pipeline.rate.travel_m)),
+        word<pipeline::SensorUse>(
+            {"motion", "wheels", "",
+             "wheel odometry tells what the flow does not measure, or also where to look, or nothing"},
+            sensor_uses(), AT(pipeline.other_sensors.wheels)),
+        word<pipeline::SensorUse>({"motion", "gyro", "", "the same for the turn rate of a gyro"},
+                                  sensor_uses(), AT(pipeline.other_sensors.gyro)),
         number<double>({"motion", "gap_max_s", "s", "a longer pause between images starts afresh"},
                        {0.01, 60}, AT(pipeline.rate.gap_max_s)),
         number<double>({"motion", "carry_max_s", "s",

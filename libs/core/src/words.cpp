@@ -2,6 +2,7 @@
 #include "flownav/core/ego_motion.h"
 #include "flownav/core/field_status.h"
 #include "flownav/core/flow_vector.h"
+#include "flownav/core/sensor_agreement.h"
 
 namespace flownav {
 
@@ -99,6 +100,22 @@ const char* to_string(MotionSource source) {
             return "wheels";
         case MotionSource::Gyro:
             return "gyro";
+    }
+    return "unknown";
+}
+
+const char* to_string(SensorAgreement agreement) {
+    switch (agreement) {
+        case SensorAgreement::NoReadings:
+            return "no_readings";
+        case SensorAgreement::Unchecked:
+            return "unchecked";
+        case SensorAgreement::Agrees:
+            return "agrees";
+        case SensorAgreement::Contradicts:
+            return "contradicts";
+        case SensorAgreement::NotInTime:
+            return "not_in_time";
     }
     return "unknown";
 }

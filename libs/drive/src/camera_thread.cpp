@@ -34,6 +34,16 @@ CameraThread::~CameraThread() {
     thread_.join();
 }
 
+void CameraThread::odometry(const nav::WheelReading& reading) {
+    const std::lock_guard lock(mutex_);
+    wheels_.push_back({reading.time_s, reading.T_odom_robot});
+}
+
+std::vector<WheelPose> CameraThread::new_wheels() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(wheels_, {});
+}
+
 std::vector<nav::SensorUpdate> CameraThread::arrived() {
     const std::lock_guard lock(mutex_);
     return std::exchange(arrived_, {});
@@ -69,6 +79,7 @@ void CameraThread::read_fields() {
             const double left_s = std::min(nap_s, field->timestamp_s - clock_.now_s());
             std::this_thread::sleep_for(std::chrono::duration<double>(left_s));
         }
+        for (const WheelPose& reading : new_wheels()) pipeline::note_wheels(state, reading);
         const pipeline::Step& step = pipeline::step(state, *field);
         if (sink_) sink_(*field, step);
         nav::SensorUpdate update = sensor_update_of(step, *field, images);

@@ -100,6 +100,7 @@ class Loop {
             wheels_ = *reading;
             observer_.on_odometry(reading->time_s, reading->T_odom_robot);
             stack_.odometry(reading->time_s, reading->T_odom_robot, reading->motion);
+            robot_.feed.odometry(*reading);
         }
         for (const nav::SensorUpdate& update : robot_.feed.arrived())
             if (update.report.timestamp_s <= latest_s) stack_.update(update);

@@ -52,11 +52,12 @@ class SimulatedRobot : public nav::RobotBase, public SensorFeed, public Witness 
         if (options.sensor == SensorKind::Flow) camera_.emplace(options.world, options.camera);
     }
 
-    /// Reads the sensor before it advances the vehicle, because fields are older than the current time.
+    /// Reads the sensor before it advances the vehicle, because fields are older than the current time. The
+    /// fields are evaluated in arrived(), when the wheels have told the motion up to them.
     std::optional<nav::WheelReading> odometry() override {
         const double now_s = clock_.now_s();
         if (options_.sensor == SensorKind::Flow) {
-            take_fields(now_s);
+            capture_fields(now_s);
         } else {
             take_scans(now_s);
         }
@@ -68,7 +69,12 @@ class SimulatedRobot : public nav::RobotBase, public SensorFeed, public Witness 
 
     void drive(const MotionCommand& command) override { vehicle_.command(clock_.now_s(), command); }
 
+    void odometry(const nav::WheelReading& reading) override {
+        pipeline::note_wheels(state_, {epoch_s + reading.time_s, reading.T_odom_robot});
+    }
+
     std::vector<nav::SensorUpdate> arrived() override {
+        evaluate_fields();
         std::vector<nav::SensorUpdate> due;
         while (!arriving_.empty() && arriving_.front().time_s <= clock_.now_s()) {
             due.push_back(std::move(arriving_.front().update));
@@ -91,12 +97,17 @@ class SimulatedRobot : public nav::RobotBase, public SensorFeed, public Witness 
     }
 
   private:
+    struct Captured {
+        double time_s;
+        Field field;
+    };
+
     struct Arriving {
         double time_s;
         nav::SensorUpdate update;
     };
 
-    void take_fields(double until_s) {
+    void capture_fields(double until_s) {
         for (; field_ / options_.camera.rate_hz <= until_s; ++field_) {
             const double time_s = field_ / options_.camera.rate_hz;
             vehicle_.advance(time_s);
@@ -108,10 +119,17 @@ class SimulatedRobot : public nav::RobotBase, public SensorFeed, public Witness 
                 if (!altered) continue;
                 field = std::move(*altered);
             }
-            const pipeline::Step& step = pipeline::step(state_, field);
-            observer_.on_field(field, step);
-            send(time_s, sensor_update_of(step, field, images_, epoch_s));
+            captured_.push_back({time_s, std::move(field)});
         }
+    }
+
+    void evaluate_fields() {
+        for (const Captured& captured : captured_) {
+            const pipeline::Step& step = pipeline::step(state_, captured.field);
+            observer_.on_field(captured.field, step);
+            send(captured.time_s, sensor_update_of(step, captured.field, images_, epoch_s));
+        }
+        captured_.clear();
     }
 
     void take_scans(double until_s) {
@@ -144,6 +162,7 @@ class SimulatedRobot : public nav::RobotBase, public SensorFeed, public Witness 
     std::optional<sim::CameraSimulator> camera_;
     pipeline::RepeatedImages images_;
     pipeline::State state_;
+    std::vector<Captured> captured_;  ///< fields that have not been evaluated yet
     std::deque<Arriving> arriving_;
     int field_ = 0;  ///< index of the next field or scan
 };

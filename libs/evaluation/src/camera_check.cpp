@@ -71,7 +71,7 @@ void CameraChecker::take(const Field& field, const pipeline::Step& step) {
             const double found_rad = motion::solve(sum_.total()).correction_rad[0];
             pitch_at_rad_ = std::clamp(found_rad, -pitch_at_max_rad, pitch_at_max_rad);
         }
-        if (step.motion.forward_measured)
+        if (step.motion.forward_source == MotionSource::Flow)
             pieces_.push_back({reference_s_, step.timestamp_s, step.motion.forward_m});
     }
     if (step.end_of_cycle || step.image_of_cycle == 0) reference_s_ = step.timestamp_s;

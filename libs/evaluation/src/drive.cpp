@@ -78,7 +78,7 @@ std::string map_warning(int sets, int sets_outside, double half_m) {
 const char* explain(FieldStatus status) {
     switch (status) {
         case FieldStatus::Ok:
-            return "The turn rate was measured with this field.";
+            return "The flow measured the turn rate with this field.";
         case FieldStatus::Waiting:
             return "The first field, or the first after a gap: there is nothing to compare it with yet.";
         case FieldStatus::Lost:

@@ -155,6 +155,9 @@ FieldRow row_of(const pipeline::Step& step) {
     row.starts_reference = step.end_of_cycle || step.image_of_cycle == 0;
     row.omega_radps = step.omega_radps;
     row.v_mps = step.v_mps;
+    row.omega_source = step.motion.omega_source;
+    row.forward_source = step.motion.forward_source;
+    row.other_sensors = step.other_sensors;
     row.carried = step.carried;
     row.T_start_robot = step.T_start_robot;
     row.placed = step.counts.placed;

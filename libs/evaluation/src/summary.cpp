@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "flownav/core/version.h"
+#include "flownav/evaluation/motion_sources.h"
 #include "flownav/evaluation/summary_facts.h"
 #include "flownav/math/units.h"
 
@@ -36,6 +37,7 @@ Json read_part(const io::InputCounts& read) {
             {"fields", read.fields},
             {"odometry", read.odometry},
             {"ground_truth", read.ground_truth},
+            {"gyro", read.gyro},
             {"ignored", read.ignored},
             {"observations", Json(read.observations)}};
 }
@@ -83,6 +85,30 @@ Json drive_part(const std::vector<FieldRow>& rows) {
             {"carried_s", rounded(carried.total_s)},
             {"carried_longest_s", rounded(carried.longest_s)},
             {"carried_sigma_m", rounded(carried.sigma_m)}};
+}
+
+Json source_counts(const SourceCounts& counts) {
+    Json part;
+    for (const MotionSource source :
+         {MotionSource::Flow, MotionSource::Wheels, MotionSource::Gyro, MotionSource::Prediction})
+        part[to_string(source)] = counts.at(static_cast<std::size_t>(source));
+    return part;
+}
+
+Json motion_part(const std::vector<FieldRow>& rows) {
+    const MotionSources sources = motion_sources(rows);
+    Json part = {{"turn", source_counts(sources.turn)}, {"way", source_counts(sources.way)}};
+    const auto enter = [&part](const std::string& name, const SensorHistory& history) {
+        part[name] = to_string(history.last.agreement);
+        part[name + "_ratio"] = rounded(history.last.ratio);
+        part[name + "_contradicted_s"] = rounded(history.contradicted_s);
+        part[name + "_not_in_time_s"] = rounded(history.not_in_time_s);
+    };
+    enter("wheels_way", sources.wheels_way);
+    enter("wheels_turn", sources.wheels_turn);
+    enter("gyro", sources.gyro);
+    part["gyro_bias_degps"] = rounded(deg(sources.gyro_bias_radps));
+    return part;
 }
 
 Json errors_part(const std::optional<Errors>& errors) {
@@ -154,6 +180,7 @@ Json summary_facts(const Drive& drive, const config::Config& config) {
     summary["status"] = status_part(drive.rows);
     summary["bad_fields"] = fault_part(drive.field_faults);
     summary["drive"] = drive_part(drive.rows);
+    summary["motion"] = motion_part(drive.rows);
     summary["errors"] = {{"ground_truth", errors_part(drive.ground_truth_errors)},
                          {"odometry", errors_part(drive.odometry_errors)}};
     summary["doubts"] = Json(drive.warnings);

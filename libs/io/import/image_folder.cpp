@@ -1,11 +1,13 @@
 #include "flownav/io/image_folder.h"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 #include <utility>
 
 #include "flownav/io/camera_conversion.h"
 #include "flownav/io/rawlog_reader.h"
+#include "flownav/math/units.h"
 #include "import_files.h"
 
 namespace flownav::io {
@@ -13,22 +15,41 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Index of the first column with one of these names; empty when there is none.
+std::optional<std::size_t> column_of(const std::string& header, const std::vector<std::string>& names) {
+    std::string words = header;
+    std::replace_if(
+        words.begin(), words.end(), [](char c) { return c == ',' || c == ';' || c == '#'; }, ' ');
+    std::istringstream stream(words);
+    std::size_t column = 0;
+    for (std::string word; stream >> word; ++column)
+        if (std::find(names.begin(), names.end(), word) != names.end()) return column;
+    return std::nullopt;
+}
+
 /// Index of the column with the times. Sets `header` when the first line holds the names of the columns.
 /// Throws InputError when no name is a known one.
 std::size_t time_column(const std::string& first_line, const fs::path& file, bool& header) {
     header = numbers_of(first_line).empty();
     if (!header) return 0;
-    std::string names = first_line;
-    std::replace_if(
-        names.begin(), names.end(), [](char c) { return c == ',' || c == ';' || c == '#'; }, ' ');
-    std::istringstream stream(names);
-    std::size_t column = 0;
-    for (std::string name; stream >> name; ++column) {
-        if (name == "timestamp_s" || name == "timestamp" || name == "time_s" || name == "time") return column;
-    }
+    const auto column = column_of(first_line, {"timestamp_s", "timestamp", "time_s", "time"});
+    if (column) return *column;
     throw InputError(
         file.string() +
         ": has no column timestamp_s, timestamp, time_s or time; name one with --times, or use --rate");
+}
+
+/// Numbers of one column below the header. Throws InputError at a line that lacks one.
+std::vector<double> read_column(const std::vector<std::string>& lines, bool header, std::size_t column,
+                                const fs::path& file, const std::string& what) {
+    std::vector<double> values;
+    for (std::size_t i = header ? 1 : 0; i < lines.size(); ++i) {
+        const auto numbers = numbers_of(lines[i]);
+        if (numbers.size() <= column)
+            throw InputError(file.string() + ", line " + std::to_string(i + 1) + ": holds no " + what);
+        values.push_back(numbers[column]);
+    }
+    return values;
 }
 
 /// File with times in the folder or its parent; empty when there is none.
@@ -53,20 +74,26 @@ void require_rising(const std::vector<double>& times_s, const fs::path& file) {
 }  // namespace
 
 std::vector<double> read_times_file(const fs::path& file) {
-    std::vector<double> times_s;
     const auto lines = read_lines(file);
     if (lines.empty()) throw InputError(file.string() + ": is empty");
     bool header = false;
     const std::size_t column = time_column(lines.front(), file, header);
-    for (std::size_t i = header ? 1 : 0; i < lines.size(); ++i) {
-        const auto numbers = numbers_of(lines[i]);
-        if (numbers.size() <= column) {
-            throw InputError(file.string() + ", line " + std::to_string(i + 1) + ": holds no time");
-        }
-        times_s.push_back(numbers[column]);
-    }
+    std::vector<double> times_s = read_column(lines, header, column, file, "time");
     require_rising(times_s, file);
     return times_s;
+}
+
+std::vector<GyroRate> read_gyro_file(const fs::path& file) {
+    const std::vector<double> times_s = read_times_file(file);
+    const auto lines = read_lines(file);
+    const auto in_degrees = column_of(lines.front(), {"gyro_z_degps"});
+    const auto column = in_degrees ? in_degrees : column_of(lines.front(), {"gyro_z_radps"});
+    if (!column) return {};
+    const std::vector<double> rates = read_column(lines, true, *column, file, "turn rate");
+    std::vector<GyroRate> readings;
+    for (std::size_t i = 0; i + 1 < times_s.size(); ++i)
+        readings.push_back({0.5 * (times_s[i] + times_s[i + 1]), rates[i] * (in_degrees ? degree_rad : 1.0)});
+    return readings;
 }
 
 ImageFolder::ImageFolder(const fs::path& directory, config::CameraConfig camera, const FrameTimes& times)
@@ -75,6 +102,7 @@ ImageFolder::ImageFolder(const fs::path& directory, config::CameraConfig camera,
     if (file.empty() && !times.rate_hz) file = find_times_file(directory);
     if (!file.empty()) {
         times_s_ = read_times_file(file);
+        gyro_ = read_gyro_file(file);
         times_source_ = file.string();
         if (times_s_.size() >= images_.size()) return;
         throw InputError(file.string() + ": holds " + std::to_string(times_s_.size()) + " times for " +

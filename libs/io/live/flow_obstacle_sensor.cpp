@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "flownav/config/make_state.h"
+#include "flownav/io/note_reading.h"
 #include "flownav/io/observations.h"
 #include "flownav/io/rawlog_reader.h"
 
@@ -52,10 +53,12 @@ void CFlowObstacleSensor::doProcess() {
             evaluate(*field, batch);
             break;
         }
-        const auto& sample = std::get<io::PoseSample>(*event);
-        latest_s_ = std::max(latest_s_, sample.timestamp_s);
-        const bool odometry = sample.source == io::PoseSample::Source::Odometry;
-        if (odometry && settings_.use_odometry) batch.push_back(io::odometry_observation(sample));
+        io::note_reading(*state_, *event);
+        const auto* sample = std::get_if<io::PoseSample>(&*event);
+        if (sample == nullptr) continue;
+        latest_s_ = std::max(latest_s_, sample->timestamp_s);
+        const bool odometry = sample->source == io::PoseSample::Source::Odometry;
+        if (odometry && settings_.use_odometry) batch.push_back(io::odometry_observation(*sample));
     }
     if (ended()) end(batch);
     if (!batch.empty()) appendObservations(batch);

@@ -2,6 +2,7 @@
 
 #include <mrpt/core/Clock.h>
 #include <mrpt/math/TPose2D.h>
+#include <mrpt/obs/CObservationIMU.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/system/datetime.h>
@@ -17,6 +18,7 @@ namespace {
 
 using mrpt::obs::CObservation;
 using mrpt::obs::CObservationImage;
+using mrpt::obs::CObservationIMU;
 using mrpt::obs::CObservationOdometry;
 using mrpt::obs::CObservationRobotPose;
 
@@ -37,6 +39,16 @@ PoseSample sample_of(const CObservationOdometry& odometry) {
 PoseSample sample_of(const CObservationRobotPose& truth) {
     const auto pose_map_robot = truth.pose.mean + (-truth.sensorPose);
     return {PoseSample::Source::GroundTruth, seconds(truth), pose_map_robot.asTPose()};
+}
+
+/// Turn rate about the robot's upward axis.
+GyroRate rate_of(const CObservationIMU& imu) {
+    const auto rate_radps = [&imu](mrpt::obs::TIMUDataIndex index) {
+        return imu.has(index) ? imu.get(index) : 0.0;
+    };
+    const auto& R = imu.sensorPose.getRotationMatrix();
+    return {seconds(imu), R(2, 0) * rate_radps(mrpt::obs::IMU_WX) + R(2, 1) * rate_radps(mrpt::obs::IMU_WY) +
+                              R(2, 2) * rate_radps(mrpt::obs::IMU_WZ)};
 }
 
 /// Text of counts such as "a (3), b (1)".
@@ -81,6 +93,8 @@ void EventMaker::consume(const CObservation::Ptr& observation,
         consume_pose(sample_of(*odometry), "odometry_");
     } else if (truth && label == "GROUND_TRUTH") {
         consume_pose(sample_of(*truth), "ground_truth_");
+    } else if (is_gyro(*observation)) {
+        consume_gyro(rate_of(dynamic_cast<const CObservationIMU&>(*observation)));
     } else {
         ++counts_.ignored;
     }
@@ -113,6 +127,24 @@ void EventMaker::consume_pose(const PoseSample& sample, const std::string& kind)
     if (!accept_time(kind, sample.timestamp_s)) return;
     ++(sample.source == PoseSample::Source::Odometry ? counts_.odometry : counts_.ground_truth);
     waiting_.emplace_back(sample);
+}
+
+/// True for a turn rate of the first gyro.
+bool EventMaker::is_gyro(const CObservation& observation) {
+    const auto* imu = dynamic_cast<const CObservationIMU*>(&observation);
+    if (imu == nullptr || !imu->has(mrpt::obs::IMU_WZ)) return false;
+    if (!gyro_label_) gyro_label_ = imu->sensorLabel;
+    return *gyro_label_ == imu->sensorLabel;
+}
+
+void EventMaker::consume_gyro(const GyroRate& reading) {
+    if (!std::isfinite(reading.omega_radps)) {
+        ++counts_.rejected["gyro_not_finite"];
+        return;
+    }
+    if (!accept_time("gyro_", reading.timestamp_s)) return;
+    ++counts_.gyro;
+    waiting_.emplace_back(reading);
 }
 
 void EventMaker::consume_image(const CObservationImage::Ptr& image,

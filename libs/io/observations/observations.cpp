@@ -4,6 +4,7 @@
 #include <mrpt/math/TPose2D.h>
 
 #include <algorithm>
+#include <array>
 #include <opencv2/core/mat.hpp>
 
 #include "flownav/io/camera_conversion.h"
@@ -62,9 +63,23 @@ mrpt::obs::CObservationOdometry::Ptr odometry_observation(const pipeline::Step& 
     odometry->sensorLabel = "FLOW_ODOMETRY";
     const Pose2& pose = step.T_start_robot;
     odometry->odometry = mrpt::poses::CPose2D(pose.x_m, pose.y_m, pose.yaw_rad);
-    odometry->hasVelocities = step.status == FieldStatus::Ok;
+    odometry->hasVelocities = step.status == FieldStatus::Ok || step.motion.omega_measured;
     if (odometry->hasVelocities) odometry->velocityLocal = {step.v_mps, 0.0, step.omega_radps};
     return odometry;
+}
+
+mrpt::obs::CObservationRobotPose::Ptr pose_observation(const pipeline::Step& step) {
+    constexpr std::array<int, 3> x_y_yaw = {0, 1, 3};  // of MRPT's x, y, z, yaw, pitch, roll
+    auto observation = mrpt::obs::CObservationRobotPose::Create();
+    observation->timestamp = mrpt::Clock::fromDouble(step.timestamp_s);
+    observation->sensorLabel = "FLOW_POSE";
+    const Pose2& pose = step.T_start_robot;
+    observation->pose.mean = mrpt::poses::CPose3D(pose.x_m, pose.y_m, 0, pose.yaw_rad, 0, 0);
+    observation->pose.cov.setZero();
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k)
+            observation->pose.cov(x_y_yaw.at(i), x_y_yaw.at(k)) = step.covariance(i, k);
+    return observation;
 }
 
 mrpt::obs::CObservationOdometry::Ptr odometry_observation(const PoseSample& sample) {

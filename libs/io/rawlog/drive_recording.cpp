@@ -1,6 +1,7 @@
 #include "flownav/io/drive_recording.h"
 
 #include <mrpt/core/Clock.h>
+#include <mrpt/obs/CObservationIMU.h>
 #include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRobotPose.h>
@@ -73,6 +74,14 @@ void DriveRecording::write_odometry(double timestamp_s, const Pose2& T_odom_robo
     odometry.sensorLabel = "ODOMETRY";
     odometry.odometry = mrpt::poses::CPose2D(T_odom_robot.x_m, T_odom_robot.y_m, T_odom_robot.yaw_rad);
     write_object(parts_->file, odometry);
+}
+
+void DriveRecording::write_gyro(const GyroRate& reading) {
+    mrpt::obs::CObservationIMU imu;
+    imu.timestamp = mrpt::Clock::fromDouble(reading.timestamp_s);
+    imu.sensorLabel = "IMU";
+    imu.set(mrpt::obs::IMU_WZ, reading.omega_radps);
+    write_object(parts_->file, imu);
 }
 
 void DriveRecording::write_truth(double timestamp_s, const Pose2& T_world_robot) {

@@ -1,5 +1,7 @@
 #include "flownav/io/recording_writer.h"
 
+#include <limits>
+
 #include "flownav/io/drive_recording.h"
 #include "flownav/io/field_splitter.h"
 #include "flownav/io/rawlog_reader.h"
@@ -14,8 +16,14 @@ RecordingCounts write_recording(ImageSequence& sequence, const RecordingOptions&
         for (const Field& field : fields) recording.write(field);
         counts.fields += fields.size();
     };
+    const std::vector<GyroRate> gyro = sequence.gyro();
+    const auto write_gyro_until = [&](double timestamp_s) {
+        for (; counts.gyro < gyro.size() && gyro[counts.gyro].timestamp_s <= timestamp_s; ++counts.gyro)
+            recording.write_gyro(gyro[counts.gyro]);
+    };
     while (const auto frame = sequence.next()) {
         ++counts.frames;
+        write_gyro_until(frame->field.timestamp_s);
         write_fields(splitter.push(frame->field));
         if (frame->T_start_robot) {
             recording.write_truth(frame->field.timestamp_s, *frame->T_start_robot);
@@ -30,6 +38,7 @@ RecordingCounts write_recording(ImageSequence& sequence, const RecordingOptions&
         throw InputError("no image could be read" + (problems.empty() ? "" : ": " + problems.front()));
     }
     write_fields(splitter.finish());
+    write_gyro_until(std::numeric_limits<double>::infinity());
     if (options.progress) options.progress(1.0, counts.fields);
     recording.complete();
     return counts;

@@ -51,10 +51,12 @@ MotionEstimate estimate_motion(const std::vector<MotionSample>& samples, const C
         m.pitch_rad = r.turn.pitch_rad;
         m.sigma_omega_rad = r.sigma_omega_rad;
         m.omega_measured = true;
+        m.omega_source = MotionSource::Flow;
         m.inliers = r.support.vectors;
         m.ground_window = t.support;
         m.forward_measured = t.support > 0;
         if (m.forward_measured) {
+            m.forward_source = MotionSource::Flow;
             m.forward_m = t.along_m * direction.x() + m.omega_rad * camera.mount.left_m;
             m.sigma_forward_m = t.sigma_m;
         }

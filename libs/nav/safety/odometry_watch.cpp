@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "flownav/core/interpolate.h"
 #include "sentence.h"
 
 namespace flownav::nav {
@@ -15,11 +16,6 @@ constexpr double standing_m = 0.001;     // less between two fields is no motion
 constexpr double agreed_way_m = 0.03;    // of the wheels, to confirm the flow
 constexpr double agreed_turn_rad = 0.05;
 constexpr double agreed_share = 0.3;
-
-Pose2 between(const Pose2& a, const Pose2& b, double share) {
-    const Pose2 T_a_b = compose(inverse(a), b);
-    return compose(a, {share * T_a_b.x_m, share * T_a_b.y_m, share * T_a_b.yaw_rad});
-}
 
 }  // namespace
 
@@ -62,7 +58,7 @@ std::optional<Pose2> OdometryWatch::wheels_at(double time_s) const {
     if (beyond && time_s - newest_s_ > extrapolation_s) return {};
     const auto to = beyond ? std::prev(later) : later;
     const auto from = std::prev(to);
-    return between(from->pose, to->pose, (time_s - from->time_s) / (to->time_s - from->time_s));
+    return interpolated(from->pose, to->pose, (time_s - from->time_s) / (to->time_s - from->time_s));
 }
 
 std::optional<Pose2> OdometryWatch::wheels_between(double from_s, double to_s) const {

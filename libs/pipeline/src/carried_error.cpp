@@ -22,9 +22,9 @@ double CarriedError::Error::sigma() const {
     return std::hypot(before, stretch);
 }
 
-void CarriedError::note(const Step& step, double since_field_s, double carry_max_s) {
-    const bool turn_measured = step.status == FieldStatus::Ok;
-    const bool speed_measured = turn_measured && step.motion.forward_measured;
+void CarriedError::note(const Step& step, const KnownParts& known, double since_field_s, double carry_max_s) {
+    const bool turn_measured = known.turn;
+    const bool speed_measured = known.turn && known.way;
     since_s_ = speed_measured ? 0.0 : since_s_ + since_field_s;
     // The error of a carried speed grows; that of a robot which counts as standing is the whole speed.
     const double share = since_s_ > carry_max_s ? 1.0 : std::min(1.0, drift_per_s * since_s_);

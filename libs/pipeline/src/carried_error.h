@@ -3,11 +3,17 @@
 
 namespace flownav::pipeline {
 
+/// The parts of a field's motion that are measured or told.
+struct KnownParts {
+    bool turn = false;
+    bool way = false;
+};
+
 /// Counts for how long the pose was carried over, and how wrong it may be by that.
 class CarriedError {
   public:
     /// After every field that has a reference: `since_field_s` since the field before.
-    void note(const Step& step, double since_field_s, double carry_max_s);
+    void note(const Step& step, const KnownParts& known, double since_field_s, double carry_max_s);
 
     CarriedPose pose() const;
 

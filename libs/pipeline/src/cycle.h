@@ -28,6 +28,8 @@ struct Rates {
     bool known = false;             ///< omega_radps has been measured
     double held_s = 0.0;            ///< time since omega_radps was measured
     double v_held_s = 0.0;          ///< time since v_mps was measured
+    bool flow_lost = false;         ///< the flow did not measure the last turn, though it had measured one
+    bool flow_lost_way = false;     ///< the same of the travel
 };
 
 /// Time from earlier fields to the newest one.

@@ -23,7 +23,7 @@ struct CarriedParts {
 
 CarriedParts carried_parts(const AcceptedMotion& accepted, const Rates& rates, double interval_s,
                            double carry_max_s) {
-    const bool turn_measured = accepted.status == FieldStatus::Ok;
+    const bool turn_measured = accepted.motion.omega_measured;
     const bool way_measured = accepted.motion.forward_measured;
     return {turn_measured ? interval_s : carried_part_s(rates.held_s, interval_s, carry_max_s),
             way_measured ? interval_s : carried_part_s(rates.v_held_s, interval_s, carry_max_s)};
@@ -41,13 +41,14 @@ EgoMotion counted_motion(const EgoMotion& motion, const EgoMotion& before, const
 }  // namespace
 
 AcceptedMotion estimate(const Measurement& measured, bool is_credible,
-                        const motion::MotionPrediction& prediction, double sigma_v_relative,
-                        double since_last_s) {
+                        const motion::MotionPrediction& prediction, const ToldMotion& told,
+                        double sigma_v_relative, double since_last_s) {
     AcceptedMotion out;
     const bool textured = static_cast<int>(measured.samples.size()) >= confident_min;
     out.status = !textured ? FieldStatus::NoTexture : is_credible ? FieldStatus::Ok : FieldStatus::Lost;
     out.motion =
         out.status == FieldStatus::Ok ? measured.estimate.motion : motion::unmeasured_motion(prediction);
+    out.motion = completed(averaged(out.motion, told), told);
     if (out.motion.forward_measured) {
         out.sigma_v_relative = out.motion.sigma_forward_m / std::max(std::abs(out.motion.forward_m), 1e-6);
     } else {
@@ -65,18 +66,19 @@ ImageOfCycle image_of_cycle(const CameraModel& reference, const EgoMotion& motio
 
 IntegratedMotion integrate(const AcceptedMotion& accepted, const Odometry& odometry, const Rates& before,
                            double timestamp_s, const Elapsed& elapsed, double carry_max_s) {
-    const bool ok = accepted.status == FieldStatus::Ok;
     const EgoMotion& motion = accepted.motion;
     const CarriedParts parts = carried_parts(accepted, before, elapsed.last_s, carry_max_s);
     IntegratedMotion out;
     out.counted = counted_motion(motion, odometry.counted, before, parts, elapsed.last_s);
     out.T_start_robot = compose(odometry.T_start_reference, pose_after(out.counted));
 
-    out.rates.known = before.known || ok;
+    out.rates.known = before.known || motion.omega_measured;
     out.rates.v_known = before.v_known || motion.forward_measured;
     out.rates.sigma_v_relative = accepted.sigma_v_relative;
-    out.rates.held_s = ok ? 0.0 : before.held_s + elapsed.last_s;
+    out.rates.held_s = motion.omega_measured ? 0.0 : before.held_s + elapsed.last_s;
     out.rates.v_held_s = motion.forward_measured ? 0.0 : before.v_held_s + elapsed.last_s;
+    out.rates.flow_lost = out.rates.known && accepted.status != FieldStatus::Ok;
+    out.rates.flow_lost_way = out.rates.v_known && motion.forward_source != MotionSource::Flow;
     // The next field is predicted as if the motion went on.
     const double since_measured_s = timestamp_s - odometry.measured_s;
     out.rates.omega_radps = (motion.omega_rad - odometry.measured.omega_rad) / since_measured_s;
@@ -96,7 +98,20 @@ CarriedMotion carry_over(const Rates& rates, double since_picture_s, double sinc
     const bool turns = turn_s > 0.0 || since_field_s == 0.0;
     const bool drives = way_s > 0.0 || since_field_s == 0.0;
     return {turns ? rates.omega_radps : 0.0, drives ? rates.v_mps : 0.0,
-            along_arc(rates.omega_radps * turn_s, rates.v_mps * way_s)};
+            along_arc(rates.omega_radps * turn_s, rates.v_mps * way_s), EgoMotion{}};
+}
+
+CarriedMotion told_instead(const CarriedMotion& carried, const ToldMotion& step,
+                           const ToldMotion& since_reference, double since_field_s) {
+    CarriedMotion out = carried;
+    if (since_field_s <= 0.0 || (!step.turn && !step.way)) return out;
+    out.told = completed(EgoMotion{}, since_reference);
+    const double turn_rad = step.turn ? step.turn->value : carried.T_before_now.yaw_rad;
+    const double way_m = step.way ? step.way->value : motion::chord_m(carried.T_before_now);
+    if (step.turn) out.omega_radps = turn_rad / since_field_s;
+    if (step.way) out.v_mps = way_m / since_field_s;
+    out.T_before_now = along_arc(turn_rad, way_m, step.turn && step.way ? step.chord_rad : 0.0);
+    return out;
 }
 
 }  // namespace flownav::pipeline

@@ -15,6 +15,9 @@ constexpr double expected_share = 0.3;      // of the image's cells must agree w
 constexpr double unexpected_share = 0.5;    // and with any other
 constexpr double turn_change_radps2 = 2.0;  // of a robot, at the most
 constexpr double hold_s = 0.5;              // a prediction is trusted for so long without a measurement
+// Tolerance of a turn that another sensor tells.
+constexpr double told_sigmas = 3.0;
+constexpr double told_tolerance_rad = 0.003;
 
 /// Direction of the chord of the running cycle that ends with heading `omega_rad`, from half of that: the
 /// mean heading of its images, at constant speed. A robot that begins or ends a turn leaves the circle.
@@ -56,29 +59,17 @@ void search_lost_travel(const ComparedFields& f, const MeasureContext& context, 
         std::swap(trial, measured);
 }
 
-}  // namespace
-
-motion::MotionPrediction predict(const Rates& rates, const Cycle& cycle, const Elapsed& elapsed) {
-    motion::MotionPrediction p;
-    p.omega_rad = rates.omega_radps * elapsed.last_s;
-    p.forward_m = rates.v_mps * elapsed.reference_s;
-    if (!cycle.empty()) {
-        p.omega_rad += cycle.back().motion.omega_rad;
-        p.pitch_rad = cycle.back().motion.pitch_rad;
-    }
+/// Predicts the turn that is told.
+void look_at(const ToldValue& turn, const Cycle& cycle, motion::MotionPrediction& p) {
+    p.omega_rad = turn.value;
+    p.omega_tolerance_rad = told_sigmas * turn.sigma + told_tolerance_rad;
     p.chord_rad = chord_direction(cycle, p.omega_rad);
-    const double unmeasured_s = rates.held_s + elapsed.last_s;
-    if (rates.known) p.omega_tolerance_rad = turn_change_radps2 * unmeasured_s * unmeasured_s;
-    return p;
 }
 
-bool measure_motion(const ComparedFields& f, const motion::MotionPrediction& prediction,
-                    const MeasureContext& context, Measurement& measured, Measurement& trial) {
-    measure(f.reference, f.newest, f.layout, prediction, context, measured);
-    if (credible(f.rates, measured, f.since_last_s)) {
-        search_lost_travel(f, context, measured, trial);
-        return true;
-    }
+/// Measures from the best motion of a wide search. Returns whether that is credible; then `measured` holds
+/// it.
+bool search_lost_motion(const ComparedFields& f, const motion::MotionPrediction& prediction,
+                        const MeasureContext& context, Measurement& measured, Measurement& trial) {
     motion::MotionPrediction found =
         search_motion(f.reference, f.newest, f.coarse_layout, prediction, context, trial);
     found.chord_rad = chord_direction(f.cycle, found.omega_rad);
@@ -91,6 +82,47 @@ bool measure_motion(const ComparedFields& f, const motion::MotionPrediction& pre
         motion.forward_m = prediction.forward_m;  // the hypothesis is no measurement
     std::swap(trial, measured);
     return true;
+}
+
+/// Measures from the told motion into `measured`. Returns whether the result is credible.
+bool measure_at_told(const ComparedFields& f, motion::MotionPrediction p, const MeasureContext& context,
+                     Measurement& measured, Measurement& trial) {
+    look_at(*f.told.turn, f.cycle, p);
+    if (f.told.way) p.forward_m = f.told.way->value;
+    measure(f.reference, f.newest, f.layout, p, context, trial);
+    std::swap(trial, measured);
+    return credible(f.rates, measured, f.since_last_s);
+}
+
+}  // namespace
+
+motion::MotionPrediction predict(const Rates& rates, const Cycle& cycle, const Elapsed& elapsed,
+                                 const ToldMotion& told) {
+    motion::MotionPrediction p;
+    p.omega_rad = rates.omega_radps * elapsed.last_s;
+    p.forward_m = rates.v_mps * elapsed.reference_s;
+    if (!cycle.empty()) {
+        p.omega_rad += cycle.back().motion.omega_rad;
+        p.pitch_rad = cycle.back().motion.pitch_rad;
+    }
+    p.chord_rad = chord_direction(cycle, p.omega_rad);
+    const double unmeasured_s = rates.held_s + elapsed.last_s;
+    if (rates.known) p.omega_tolerance_rad = turn_change_radps2 * unmeasured_s * unmeasured_s;
+    if (told.turn && (told.turn->is_prior() || rates.flow_lost)) look_at(*told.turn, cycle, p);
+    if (told.way && (told.way->is_prior() || rates.flow_lost_way)) p.forward_m = told.way->value;
+    return p;
+}
+
+bool measure_motion(const ComparedFields& f, const motion::MotionPrediction& prediction,
+                    const MeasureContext& context, Measurement& measured, Measurement& trial) {
+    measure(f.reference, f.newest, f.layout, prediction, context, measured);
+    if (credible(f.rates, measured, f.since_last_s)) {
+        search_lost_travel(f, context, measured, trial);
+        return true;
+    }
+    if (search_lost_motion(f, prediction, context, measured, trial)) return true;
+    const bool told_otherwise = f.told.turn && f.told.turn->value != prediction.omega_rad;
+    return told_otherwise && measure_at_told(f, prediction, context, measured, trial);
 }
 
 }  // namespace flownav::pipeline

@@ -12,6 +12,13 @@ namespace {
 
 constexpr std::size_t coarse_step = 3;  // the search looks at every third block
 
+/// Ratio of the residuals of a field to the deviations of its vectors; 1 where the flow shows no motion that
+/// has residuals.
+double noise_factor_of(const AcceptedMotion& accepted, const motion::MotionEstimate& estimate) {
+    const bool by_others = accepted.status != FieldStatus::Ok && accepted.is_usable();
+    return by_others ? 1.0 : estimate.noise_factor;
+}
+
 }  // namespace
 
 State::State(const Params& params)
@@ -32,6 +39,18 @@ const Step& State::last_step() const {
     return impl_->last_step();
 }
 
+std::optional<MotionBetween> State::motion_between(double from_s, double to_s) const {
+    return impl_->motion_between(from_s, to_s);
+}
+
+void note_wheels(State& state, const WheelPose& reading) {
+    state.impl_->note(reading);
+}
+
+void note_gyro(State& state, const GyroRate& reading) {
+    state.impl_->note(reading);
+}
+
 const Step& step(State& state, const Field& field) {
     return state.impl_->take(field);
 }
@@ -46,18 +65,19 @@ const Step& State::Impl::take(const Field& field) {
     const bool in_time = fault != FieldFault::TimeNotRising;
     const double since_field_s = in_time && newest_s_ ? field.timestamp_s - *newest_s_ : 0.0;
     if (in_time) newest_s_ = field.timestamp_s;
+    if (in_time) others_.note_field(field.timestamp_s);
+    bridged_ = false;
     if (fault == FieldFault::None) {
-        follow(field);
+        follow(field, since_field_s);
     } else {
         carry_over_field(since_field_s);
     }
-    carried_error_.note(step_, has_reference_ ? since_field_s : 0.0, params_.rate.carry_max_s);
-    record_carried_pose(step_, carried_error_.pose());
+    note_pose(has_reference_ ? since_field_s : 0.0);
     return step_;
 }
 
 /// Compares the field with the reference, or begins a new chain with it.
-void State::Impl::follow(const Field& field) {
+void State::Impl::follow(const Field& field, double since_field_s) {
     const double since_last_s = has_reference_ ? field.timestamp_s - last_picture_s() : 0.0;
     const bool new_camera = !has_reference_ || !same_geometry(camera_, field.camera);
     if (new_camera) pitch_.restart();
@@ -65,16 +85,17 @@ void State::Impl::follow(const Field& field) {
     correct_pitch(newest_);
     record_pitch(step_, pitch_.correction_rad());
     if (new_camera || since_last_s > params_.rate.gap_max_s) {
-        restart(new_camera);
+        restart(new_camera, since_field_s);
     } else {
         compare(since_last_s);
     }
 }
 
 /// Begins a new chain: no field before the newest can be compared with it.
-void State::Impl::restart(bool new_camera) {
+void State::Impl::restart(bool new_camera, double since_field_s) {
     if (new_camera) new_layout();
     record_start(step_, has_reference_);
+    if (has_reference_) bridge_gap(since_field_s);
     rates_ = {};
     begin_cycle();
 }
@@ -83,27 +104,29 @@ void State::Impl::restart(bool new_camera) {
 void State::Impl::compare(double since_last_s) {
     const int image = static_cast<int>(cycle_.size()) + 1;
     const Elapsed elapsed{since_last_s, newest_.field.timestamp_s - reference_.field.timestamp_s};
-    const motion::MotionPrediction prediction = predict(rates_, cycle_, elapsed);
+    const ToldMotion told = others_.between(reference_.field.timestamp_s, newest_.field.timestamp_s);
+    const motion::MotionPrediction prediction = predict(rates_, cycle_, elapsed, told);
     const bool is_credible =
-        measure_motion({reference_, newest_, layout_, coarse_layout_, rates_, cycle_, since_last_s},
+        measure_motion({reference_, newest_, layout_, coarse_layout_, rates_, cycle_, since_last_s, told},
                        prediction, {params_, matcher_}, measured_, trial_);
-    record_vectors(step_,
-                   {measured_, layout_, reference_.field.camera.mount, params_.flow, is_credible, image});
-
     const AcceptedMotion accepted =
-        estimate(measured_, is_credible, prediction, rates_.sigma_v_relative, since_last_s);
+        estimate(measured_, is_credible, prediction, told, rates_.sigma_v_relative, since_last_s);
+    record_vectors(step_, {measured_, layout_, reference_.field.camera.mount, params_.flow,
+                           is_credible || accepted.is_usable(), image});
     const IntegratedMotion integrated =
         integrate(accepted, odometry_, rates_, newest_.field.timestamp_s, elapsed, params_.rate.carry_max_s);
     const CyclePlan plan =
         plan_after(accepted, integrated.rates, image, quality_, since_last_s, params_.rate);
     record_motion(step_, accepted, integrated, plan);
-    cycle_.push_back(image_of_cycle(reference_.field.camera, accepted.motion, measured_.estimate.noise_factor,
-                                    params_.motion.geometry));
+    cycle_.push_back(image_of_cycle(reference_.field.camera, accepted.motion,
+                                    noise_factor_of(accepted, measured_.estimate), params_.motion.geometry));
 
     classify(step_.blocks, cycle_, layout_, params_.obstacles, classes_);
     record_labels(step_, classes_);
     advance(accepted, integrated, plan);
     if (!plan.ends) return;
+    if (accepted.status == FieldStatus::Ok)
+        others_.compare(reference_.field.timestamp_s, newest_.field.timestamp_s, measured_.estimate.motion);
     scan_contacts(accepted.motion);
     reconstruct({step_.blocks, classes_, cycle_, reference_, newest_}, params_.obstacles, surroundings_);
     record_surroundings(step_, surroundings_);
@@ -124,17 +147,18 @@ void State::Impl::scan_contacts(const EgoMotion& motion) {
 /// Keeps the results of a field for the next one.
 void State::Impl::advance(const AcceptedMotion& accepted, const IntegratedMotion& integrated,
                           const CyclePlan& plan) {
-    const bool ok = accepted.status == FieldStatus::Ok;
     rates_ = integrated.rates;
     odometry_.counted = integrated.counted;
     T_start_robot_ = integrated.T_start_robot;
     quality_ = plan.quality;
-    if (!ok) return;
+    uncertainty_.move(odometry_.T_start_reference, accepted.motion);
+    if (!accepted.is_usable()) return;
     odometry_.measured = accepted.motion;
     odometry_.measured_s = newest_.field.timestamp_s;
+    if (accepted.status != FieldStatus::Ok) return;
     // Vectors of the second half of a cycle: those of one block end anywhere in a pixel.
     const bool second_half = 2 * static_cast<int>(cycle_.size()) >= plan.images;
-    if (params_.pitch_online && second_half)
+    if (params_.pitch_online && second_half && measured_.estimate.motion.forward_measured)
         pitch_.observe(measured_.samples, reference_.field.camera, accepted.motion, params_.motion.geometry);
 }
 
@@ -153,6 +177,7 @@ void State::Impl::begin_cycle() {
     cycle_.clear();
     has_reference_ = true;
     quality_.failures = 0;
+    uncertainty_.begin_cycle();
     odometry_ = {T_start_robot_, EgoMotion{}, EgoMotion{}, reference_.field.timestamp_s};
     aim_layouts();
 }
@@ -160,7 +185,11 @@ void State::Impl::begin_cycle() {
 /// Carries the odometry on over a field without a usable image; the reference stays.
 void State::Impl::carry_over_field(double since_field_s) {
     const double since_picture_s = has_reference_ ? newest_s_.value_or(0.0) - last_picture_s() : 0.0;
-    const CarriedMotion motion = carry_over(rates_, since_picture_s, since_field_s, params_.rate.carry_max_s);
+    CarriedMotion motion = carry_over(rates_, since_picture_s, since_field_s, params_.rate.carry_max_s);
+    if (has_reference_ && newest_s_) {
+        motion = told_instead(motion, others_.between(*newest_s_ - since_field_s, *newest_s_),
+                              others_.between(reference_.field.timestamp_s, *newest_s_), since_field_s);
+    }
     T_start_robot_ = compose(T_start_robot_, motion.T_before_now);
     record_carried_motion(step_, motion, T_start_robot_);
 }

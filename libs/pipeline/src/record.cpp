@@ -110,13 +110,21 @@ void record_contacts(Step& step, const ContactScan& contacts) {
 
 void record_carried_motion(Step& step, const CarriedMotion& motion, const Pose2& T_start_robot) {
     step.status = FieldStatus::BadField;
+    step.motion = motion.told;
     step.omega_radps = motion.omega_radps;
     step.v_mps = motion.v_mps;
     step.T_start_robot = T_start_robot;
 }
 
-void record_carried_pose(Step& step, const CarriedPose& carried) {
+void record_pose(Step& step, const Pose2& T_start_robot) {
+    step.T_start_robot = T_start_robot;
+}
+
+void record_reliability(Step& step, const CarriedPose& carried, const Eigen::Matrix3d& covariance,
+                        const SensorChecks& others) {
     step.carried = carried;
+    step.covariance = covariance;
+    step.other_sensors = others;
 }
 
 }  // namespace flownav::pipeline

@@ -51,7 +51,11 @@ void record_contacts(Step& step, const ContactScan& contacts);
 
 void record_carried_motion(Step& step, const CarriedMotion& motion, const Pose2& T_start_robot);
 
-/// Enters how far the pose can be relied on.
-void record_carried_pose(Step& step, const CarriedPose& carried);
+/// Enters the pose after a gap.
+void record_pose(Step& step, const Pose2& T_start_robot);
+
+/// Enters how far the pose can be relied on, and how other sensors agree with the flow.
+void record_reliability(Step& step, const CarriedPose& carried, const Eigen::Matrix3d& covariance,
+                        const SensorChecks& others);
 
 }  // namespace flownav::pipeline

@@ -11,7 +11,8 @@ SensorReport sensor_report(const Step& step, const CameraModel& camera) {
     report.end_of_cycle = step.end_of_cycle;
     report.omega_radps = step.omega_radps;
     report.v_mps = step.v_mps;
-    report.v_measured = step.v_measured;
+    // What other sensors told cannot confirm them.
+    report.v_measured = step.v_measured && step.motion.forward_source == MotionSource::Flow;
     report.carried_s = step.carried.since_s;
     for (const BlockRecord& block : step.blocks) {
         const double across = block.vector.at_px.x() / camera.width_px;

@@ -6,9 +6,12 @@
 #include "cycle_plan.h"
 #include "flownav/flow/matcher.h"
 #include "flownav/obstacles/contact_scanner.h"
+#include "flownav/pipeline/motion_history.h"
 #include "flownav/pipeline/pipeline.h"
 #include "measure.h"
+#include "other_sensors.h"
 #include "pitch_online.h"
+#include "pose_uncertainty.h"
 #include "reconstruct.h"
 
 namespace flownav::pipeline {
@@ -16,15 +19,21 @@ namespace flownav::pipeline {
 /// The memory of the pipeline, and the order of its stages.
 class State::Impl {
   public:
-    Impl(const Params& params, flow::Matcher matcher) : params_(params), matcher_(std::move(matcher)) {}
+    Impl(const Params& params, flow::Matcher matcher)
+        : params_(params), matcher_(std::move(matcher)), others_(params.other_sensors) {}
 
     const Step& take(const Field& field);
+    template <typename Reading>
+    void note(const Reading& reading) {
+        others_.note(reading);
+    }
+    std::optional<MotionBetween> motion_between(double from_s, double to_s) const;
     const Step& last_step() const { return step_; }
 
   private:
     // Fields that can be used.
-    void follow(const Field& field);
-    void restart(bool new_camera);
+    void follow(const Field& field, double since_field_s);
+    void restart(bool new_camera, double since_field_s);
     void compare(double since_last_s);
     void scan_contacts(const EgoMotion& motion);
     void advance(const AcceptedMotion& accepted, const IntegratedMotion& integrated, const CyclePlan& plan);
@@ -32,6 +41,8 @@ class State::Impl {
     void begin_cycle();
     // Other fields.
     void carry_over_field(double since_field_s);
+    void note_pose(double since_field_s);
+    void bridge_gap(double gap_s);
 
     void new_layout();
     void aim_layouts();
@@ -65,7 +76,12 @@ class State::Impl {
     obstacles::ContactMemory contact_memory_;
     ContactScan contacts_;
     double pitch_sum_rad_ = 0.0;  ///< of all ended cycles
+    OtherSensors others_;  ///< wheels and gyro
     CarriedError carried_error_;
+    PoseUncertainty uncertainty_;
+    MotionHistory history_;
+    double carried_s_ = 0.0;  ///< time carried over since the start
+    bool bridged_ = false;    ///< other sensors told the whole motion over a gap
     Step step_;
 };
 

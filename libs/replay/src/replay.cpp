@@ -10,9 +10,11 @@
 #include "flownav/cli/usage_error.h"
 #include "flownav/config/make_state.h"
 #include "flownav/evaluation/drive.h"
+#include "flownav/evaluation/motion_sources.h"
 #include "flownav/evaluation/profiler.h"
 #include "flownav/io/decode_ahead.h"
 #include "flownav/io/input_path.h"
+#include "flownav/io/note_reading.h"
 #include "flownav/pipeline/pipeline.h"
 #include "flownav/replay/outputs.h"
 
@@ -118,6 +120,7 @@ class Run {
             const io::Decoded decoded = ahead ? next([&] { return ahead->next(); })
                                               : next([&] { return io::decode_next(source, reader); });
             if (!decoded.event) break;
+            io::note_reading(state_, *decoded.event);
             if (const auto* field = std::get_if<Field>(&*decoded.event)) take(*field);
             if (const auto* sample = std::get_if<io::PoseSample>(&*decoded.event)) take(*sample);
             progress.update(decoded.progress, drive_.rows.size());
@@ -208,6 +211,8 @@ class Run {
 
     void add_warnings() {
         const mapping::GlobalMap& map = outputs_->global_map();
+        for (const std::string& warning : evaluation::sensor_warnings(drive_.rows))
+            drive_.warnings.push_back(warning);
         for (const std::string& warning :
              {evaluation::carried_warning(evaluation::carried_time(drive_.rows),
                                           options_.config.pipeline.rate.carry_max_s),

@@ -6,6 +6,7 @@ namespace flownav::replay {
 
 void ResultRawlog::write(const pipeline::Step& step) {
     write_object(*io::odometry_observation(step));
+    write_object(*io::pose_observation(step));
     if (!step.end_of_cycle) return;
     write_object(*io::scan_observation(step, range_max_m_));
     write_object(*io::points_observation(step));

@@ -12,8 +12,9 @@ constexpr FigureWords all_figures[] = {
     {"read.objects", "", "whole objects read from the file", ""},
     {"read.images", "", "images of the camera", ""},
     {"read.fields", "", "fields used: one an image, two where frames are woven", "as many as images"},
-    {"read.odometry", "", "poses of the odometry, used for comparison only", ""},
+    {"read.odometry", "", "poses of the odometry, for comparison and for motion.wheels", ""},
     {"read.ground_truth", "", "poses of the ground truth, used for comparison only", ""},
+    {"read.gyro", "", "readings of a gyro, for motion.gyro", ""},
     {"read.ignored", "", "observations of other labels or classes", ""},
     {"read.observations", "", "observations of this class and label", ""},
     {"written.trajectory_poses", "", "poses of the flow odometry in trajectory.tum", "one a field"},
@@ -36,6 +37,21 @@ constexpr FigureWords all_figures[] = {
      "below 2 % of the duration"},
     {"drive.carried_longest_s", "s", "the longest stretch of it", "below motion.carry_max_s"},
     {"drive.carried_sigma_m", "m", "deviation of the end position by carrying the pose over", "0"},
+    {"motion.turn", "", "fields whose turn came from this source", "flow: all but the first"},
+    {"motion.way", "", "fields whose travel came from this source", "flow: all but the first"},
+    {"motion.wheels_way", "", "travel by the wheels against the flow", "agrees, or no_readings"},
+    {"motion.wheels_way_ratio", "", "travel by the wheels over that by the flow, at the end", "0.95 to 1.05"},
+    {"motion.wheels_way_contradicted_s", "s", "during which they contradicted each other", "0"},
+    {"motion.wheels_way_not_in_time_s", "s", "during which readings were 1 s or more from the images", "0"},
+    {"motion.wheels_turn", "", "turn by the wheels against the flow", "agrees, or no_readings"},
+    {"motion.wheels_turn_ratio", "", "turn by the wheels over that by the flow, at the end", "0.95 to 1.05"},
+    {"motion.wheels_turn_contradicted_s", "s", "during which they contradicted each other", "0"},
+    {"motion.wheels_turn_not_in_time_s", "s", "during which readings were 1 s or more from the images", "0"},
+    {"motion.gyro", "", "turn by the gyro against the flow", "agrees, or no_readings"},
+    {"motion.gyro_ratio", "", "turn by the gyro over that by the flow, at the end", "0.95 to 1.05"},
+    {"motion.gyro_contradicted_s", "s", "during which they contradicted each other", "0"},
+    {"motion.gyro_not_in_time_s", "s", "during which readings were 1 s or more from the images", "0"},
+    {"motion.gyro_bias_degps", "deg/s", "of the gyro, learnt at standstill and by the flow", "within 2"},
     {"bad_fields.no_picture", "", "fields that are black, saturated or constant", "0"},
     {"bad_fields.wrong_size", "", "fields whose image is not as large as their camera says", "0"},
     {"bad_fields.bad_camera", "", "fields whose camera has a number that cannot be used", "0"},
@@ -101,7 +117,8 @@ std::string reason_words(const std::string& reason) {
     std::string rest = reason;
     std::string subject = "image: ";
     for (const auto& [prefix, name] : {std::pair{"odometry_", "pose of the odometry: "},
-                                       std::pair{"ground_truth_", "pose of the ground truth: "}}) {
+                                       std::pair{"ground_truth_", "pose of the ground truth: "},
+                                       std::pair{"gyro_", "reading of the gyro: "}}) {
         if (rest.rfind(prefix, 0) != 0) continue;
         rest.erase(0, std::string(prefix).size());
         subject = name;

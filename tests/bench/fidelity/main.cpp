@@ -15,7 +15,7 @@ namespace {
 constexpr auto help = R"(Renders named scenes, runs the chain over them and compares with the exact truth.
 
 flownav-fidelity [--scene NAME[,NAME]...] [--seed N[,N]...] [--images M] [--set section.key=value]...
-                 [--config FILE.ini] [--detail] [--cache DIR]
+                 [--config FILE.ini] [--wheels] [--detail] [--cache DIR]
 flownav-fidelity --page FILE.md [--seed N] [--cache DIR]
 flownav-fidelity --real-drives DIR
 
@@ -24,6 +24,7 @@ flownav-fidelity --real-drives DIR
   --images M          images of each drive instead of the scene's own number
   --config FILE.ini   settings, as for flownav-replay
   --set key=value     one setting, as for flownav-replay; may be repeated
+  --wheels            also give the chain the wheel odometry of the robot, with its usual errors
   --detail            also print the blocks found by kind of thing and range
   --page FILE.md      write the whole page of figures instead, with the first seed and the default settings
   --real-drives DIR   print what the chain makes of the recordings where FLOWNAV_DATA points, and draw obstacle points
@@ -59,6 +60,7 @@ struct Arguments {
     TCLAP::ValueArg<int> images{"", "images", "", false, 0, "M", command};
     TCLAP::ValueArg<std::string> config{"", "config", "", false, "", "FILE.ini", command};
     TCLAP::MultiArg<std::string> set{"", "set", "", false, "section.key=value", command};
+    TCLAP::SwitchArg wheels{"", "wheels", "", command};
     TCLAP::SwitchArg detail{"", "detail", "", command};
     TCLAP::ValueArg<std::string> page{"", "page", "", false, "", "FILE.md", command};
     TCLAP::ValueArg<std::string> real{"", "real-drives", "", false, "", "DIR", command};
@@ -108,7 +110,9 @@ Score score_of(const std::string& name, Arguments& arguments, const config::Conf
         if (arguments.images.isSet()) options.images = arguments.images.getValue();
         std::string title = name;
         title.append("-").append(seed);
-        score.add(evaluate(render_scene(title, options, arguments.cache.getValue()), config));
+        RenderedScene drive = render_scene(title, options, arguments.cache.getValue());
+        drive.wheels = arguments.wheels.getValue();
+        score.add(evaluate(drive, config));
     }
     return score;
 }

@@ -20,9 +20,10 @@ struct OdometryScore {
     evaluation::Errors errors;
 };
 
-/// Result of a DonkeyCar with ini/donkeycar.ini against its gyro.
+/// Result of a DonkeyCar with ini/donkeycar.ini against its gyro, over the images whose turn is known.
 struct GyroScore {
-    Share ok;
+    Share ok;     ///< images after the first whose turn the flow measured
+    Share known;  ///< images after the first whose turn the flow measured or the gyro told
     double correlation = nothing_measured;
     Moments difference_degps;
     double median_difference_degps = nothing_measured;
@@ -31,7 +32,8 @@ struct GyroScore {
 // Each takes the folder of its data set. Throw std::runtime_error naming a damaged file.
 LidarScore braking_score(const std::filesystem::path& folder, const RealDataOptions& options);
 OdometryScore odometry_score(const std::filesystem::path& folder);
-GyroScore gyro_score(const std::filesystem::path& folder);
+/// `use`: what the gyro is used for besides the comparison.
+GyroScore gyro_score(const std::filesystem::path& folder, pipeline::SensorUse use);
 
 /// Returns $FLOWNAV_DATA, or shared/data beside the project.
 std::filesystem::path data_folder();

@@ -1,3 +1,4 @@
+#include <array>
 #include <fstream>
 #include <sstream>
 
@@ -26,7 +27,8 @@ constexpr auto gyro_text = R"(
 ### DonkeyCar: turn rate against a gyro
 
 370 images of 160x120 at 20 Hz through a wide-angle lens, not calibrated; a smooth floor and motion blur;
-`ini/donkeycar.ini`. Each image is compared with the gyro over the interval that ends with it.
+`ini/donkeycar.ini`. Each image whose turn is known is compared with the gyro over the interval that ends with it:
+with the camera alone, and with the gyro as an input (`motion.gyro`), where the rest is what the flow differs from it.
 
 )";
 
@@ -49,8 +51,13 @@ CameraMount mount_of(const config::CameraConfig& camera) {
 std::vector<evaluation::FieldRow> drive_through(io::ImageSequence& images, const config::Config& config,
                                                 evaluation::PoseTrack& truth) {
     pipeline::State state = config::make_state(config);
+    const std::vector<GyroRate> gyro = images.gyro();
+    std::size_t noted = 0;
     std::vector<evaluation::FieldRow> rows;
     while (const auto frame = images.next()) {
+        // Up to the first reading that is not before the image.
+        while (noted < gyro.size() && (noted == 0 || gyro[noted - 1].timestamp_s < frame->field.timestamp_s))
+            pipeline::note_gyro(state, gyro[noted++]);
         rows.push_back(evaluation::row_of(pipeline::step(state, frame->field)));
         if (!frame->T_start_robot) continue;
         const Pose2& pose = *frame->T_start_robot;
@@ -123,8 +130,9 @@ std::string odometry_part(const fs::path& folder) {
     return odometry_text + to_markdown(table);
 }
 
-GyroScore gyro_score(const fs::path& folder) {
-    const config::Config config = config_of("donkeycar.ini");
+GyroScore gyro_score(const fs::path& folder, pipeline::SensorUse use) {
+    config::Config config = config_of("donkeycar.ini");
+    config.pipeline.other_sensors.gyro = use;
     io::FrameTimes times;
     times.file = folder / "log.csv";
     io::ImageFolder images(folder / "images", config.camera, times);
@@ -135,7 +143,8 @@ GyroScore gyro_score(const fs::path& folder) {
     score.ok = ok_share(rows);
     std::vector<double> flow, same, magnitudes;
     for (std::size_t i = 1; i < rows.size() && i <= gyro.size(); ++i) {
-        if (rows[i].status != FieldStatus::Ok) continue;
+        score.known.add(rows[i].omega_source != MotionSource::Prediction);
+        if (rows[i].omega_source == MotionSource::Prediction) continue;
         flow.push_back(deg(rows[i].omega_radps));
         same.push_back(gyro[i - 1]);
         score.difference_degps.add(flow.back() - same.back());
@@ -148,13 +157,20 @@ GyroScore gyro_score(const fs::path& folder) {
 
 std::string gyro_part(const fs::path& folder) {
     if (!fs::exists(folder)) return std::string(gyro_text) + "Not measured: no DonkeyCar data.\n";
-    const GyroScore score = gyro_score(folder);
-    Table table{{"images ok", "correlation", "rms difference, deg/s", "median difference, deg/s",
-                 "mean difference, deg/s"},
+    Table table{{"gyro as input", "images ok", "turn known", "correlation", "rms difference, deg/s",
+                 "median difference, deg/s", "mean difference, deg/s"},
                 {}};
-    table.rows.push_back({cell(score.ok.percent(), 0) + " %", cell(score.correlation, 3, above(0.9)),
-                          cell(score.difference_degps.rms(), 1), cell(score.median_difference_degps, 1),
-                          cell(score.difference_degps.mean(), 1)});
+    const std::array<std::pair<const char*, pipeline::SensorUse>, 3> uses = {
+        {{"off", pipeline::SensorUse::Off},
+         {"fallback", pipeline::SensorUse::Fallback},
+         {"prior", pipeline::SensorUse::Prior}}};
+    for (const auto& [name, use] : uses) {
+        const GyroScore score = gyro_score(folder, use);
+        table.rows.push_back({name, cell(score.ok.percent(), 0) + " %", cell(score.known.percent(), 0) + " %",
+                              cell(score.correlation, 3, above(0.9)), cell(score.difference_degps.rms(), 1),
+                              cell(score.median_difference_degps, 1),
+                              cell(score.difference_degps.mean(), 1)});
+    }
     return gyro_text + to_markdown(table);
 }
 

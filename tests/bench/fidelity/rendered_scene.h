@@ -12,6 +12,7 @@ struct RenderedScene {
     std::string name;
     testing::Scene scene;
     std::vector<Field> fields;
+    bool wheels = false;  ///< the chain also gets the wheel odometry of the robot, with its usual errors
 };
 
 /// Renders a scene, or reads its images from `cache` (a folder; empty: none) when they match. Throws

@@ -118,11 +118,16 @@ std::string scenes_section(const Studio& studio) {
     std::vector<Row> rows;
     for (std::size_t i = 0; i < names.size(); ++i)
         rows.push_back({names[i], scores[i].front(), targets_of(names[i])});
+    const auto with_wheels = scores_of(studio, {"plain"}, {{"wheels", {}, true}});
+    rows.push_back({"plain, wheels", with_wheels.front().front(), targets_of("plain, wheels")});
     return "## Scenes\n\nWhat they share: 25 Hz, 0.4 m/s, 200 images or more, a weave of up to 20 deg/s past "
            "rails, chairs, poles of\n5 cm, boxes of 15 cm and higher, drums and walls; 640x480 pixels, noise "
            "of 2.5 grey levels, a camera 0.9 m high, 25 deg\ndown, 55 deg wide. `flownav-make-scene --preset "
            "NAME --seed " +
-           std::to_string(studio.seed) + "` writes each as a rawlog.\n\n" + meanings() +
+           std::to_string(studio.seed) +
+           "` writes each as a rawlog. \"plain, wheels\" is the scene plain, where the chain also gets the "
+           "odometry of the\nwheels, with its usual errors.\n\n" +
+           meanings() +
            "## Ego-motion and odometry\n\nRoot mean square error of the turn rate per image and of its mean "
            "over a cycle; T over the cycles that measured it; the\nodometry at the end of each drive (3 "
            "m).\n\n" +

@@ -42,8 +42,11 @@ std::vector<std::vector<Score>> scores_of(const Studio& studio, const std::vecto
     std::vector<std::vector<Score>> scores(scenes.size());
     in_parallel(static_cast<int>(scenes.size()), [&](int i) {
         const auto k = static_cast<std::size_t>(i);
-        const RenderedScene drive = studio.scene(scenes[k]);
-        for (const Variant& variant : variants) scores[k].push_back(evaluate(drive, config_of(variant)));
+        RenderedScene drive = studio.scene(scenes[k]);
+        for (const Variant& variant : variants) {
+            drive.wheels = variant.wheels;
+            scores[k].push_back(evaluate(drive, config_of(variant)));
+        }
         studio.say("  " + scenes[k]);
     });
     return scores;

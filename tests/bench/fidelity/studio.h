@@ -13,6 +13,7 @@ namespace flownav::fidelity {
 struct Variant {
     std::string name;
     std::vector<std::pair<std::string, std::string>> settings;  ///< section.key, value
+    bool wheels = false;                                        ///< see RenderedScene
 };
 
 /// The default configuration with a variant's settings. Throws ConfigError.

@@ -54,6 +54,12 @@ Targets vibrating() {
     return t;
 }
 
+Targets told_by_wheels() {
+    Targets t = no_texture();
+    t.detected_percent = above(60.0);
+    return t;
+}
+
 Targets with_mover(double omega_degps) {
     Targets t;
     t.covered_degps = below(omega_degps);
@@ -69,6 +75,7 @@ Targets targets_of(const std::string& scene) {
     if (scene == "tiles" || scene == "flicker") return calm_but_wobbly();
     if (scene == "lino") return poor_texture();
     if (scene == "plain") return no_texture();
+    if (scene == "plain, wheels") return told_by_wheels();
     if (scene == "vibration015") return vibrating();
     if (scene == "mover45") return with_mover(0.1);
     if (scene == "mover25") return with_mover(1.0);

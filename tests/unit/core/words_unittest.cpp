@@ -8,6 +8,7 @@
 #include "flownav/core/ego_motion.h"
 #include "flownav/core/field_status.h"
 #include "flownav/core/flow_vector.h"
+#include "flownav/core/sensor_agreement.h"
 #include "flownav/core/version.h"
 
 namespace flownav {
@@ -35,6 +36,13 @@ TEST(Words, EveryCauseGateAndSourceHasItsOwn) {
     expect_words_to_differ(BeamCause::Drop);
     expect_words_to_differ(ContactGate::PoorFloor);
     expect_words_to_differ(MotionSource::Gyro);
+}
+
+TEST(Words, EveryAgreementHasItsOwn) {
+    std::set<std::string> words;
+    for (const SensorAgreement agreement : all_sensor_agreements) words.insert(to_string(agreement));
+    EXPECT_EQ(words,
+              (std::set<std::string>{"no_readings", "unchecked", "agrees", "contradicts", "not_in_time"}));
 }
 
 TEST(Version, HasThreeNumbers) {

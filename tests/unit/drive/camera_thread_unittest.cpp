@@ -14,12 +14,16 @@ using namespace flownav::testing;
 
 constexpr double rate_hz = 50.0;
 
-/// Three images of a folder, 20 ms apart.
-io::ProducerSettings three_images() {
+/// Images of a folder, 20 ms apart.
+io::ProducerSettings images(int count) {
     const auto folder = producer_folder();
-    write_images(folder, noise_images(3));
+    write_images(folder, noise_images(count));
     return producer_settings("grabber_type = image_dir\nimage_dir_url = " + folder.string() +
                              "\nleft_format = image_%03d.png\nrate_hz = 50\n" + calibration_lines);
+}
+
+io::ProducerSettings three_images() {
+    return images(3);
 }
 
 /// Waits for the end of the feed and returns its message.
@@ -45,6 +49,23 @@ TEST(CameraThread, PlaysARecordingAtItsOwnPaceInTheTimeOfTheDrive) {
     for (std::size_t i = 0; i < arrived.size(); ++i)
         EXPECT_EQ(arrived[i].report.timestamp_s, fields[i].timestamp_s);
     EXPECT_TRUE(camera.arrived().empty());
+}
+
+TEST(CameraThread, TheWheelsTellTheMotionThatTheImagesDoNotShow) {
+    for (const double v_mps : {0.5, -0.5}) {
+        const SteadyClock clock;
+        std::vector<pipeline::Step> steps;
+        CameraThread camera(images(20), clock,
+                            [&steps](const Field&, const pipeline::Step& step) { steps.push_back(step); });
+        const double began_s = clock.now_s();
+        for (int i = -10; i < 500; ++i)
+            camera.odometry({began_s + 0.02 * i, {v_mps * 0.02 * i, 0.0, 0.0}, {v_mps, 0.0}});
+        end_of(camera);
+        ASSERT_EQ(steps.size(), 20U);
+        EXPECT_NE(steps.back().status, FieldStatus::Ok);
+        EXPECT_EQ(steps.back().motion.forward_source, MotionSource::Wheels);
+        EXPECT_NEAR(steps.back().v_mps, v_mps, 0.01);
+    }
 }
 
 TEST(CameraThread, WhatIsThrownInTheThreadEndsTheFeedAndIsTold) {

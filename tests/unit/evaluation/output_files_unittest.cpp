@@ -119,15 +119,31 @@ TEST(EgomotionCsv, HasTheDocumentedColumns) {
     EXPECT_EQ(
         content(file),
         "timestamp,status,omega_radps,pitch_rate_radps,v_mps,v_measured,image_of_cycle,placed,confident,"
-        "inliers,ground_window,obstacles,carried_s,carried_sigma_m,carried_sigma_rad\n"
-        "1000.000000,waiting,,,,0,0,0,0,0,0,0,0.000000,0.0000,0.00000\n"
-        "1000.160000,ok,0.200000,-0.001000,0.400000,1,4,350,320,300,20,2,0.250000,0.0300,0.00400\n");
+        "inliers,ground_window,obstacles,carried_s,carried_sigma_m,carried_sigma_rad,omega_source,v_source\n"
+        "1000.000000,waiting,,,,0,0,0,0,0,0,0,0.000000,0.0000,0.00000,prediction,prediction\n"
+        "1000.160000,ok,0.200000,-0.001000,0.400000,1,4,350,320,300,20,2,0.250000,0.0300,0.00400,flow,"
+        "flow\n");
+}
+
+TEST(EgomotionCsv, ATurnThatAnotherSensorToldHasItsSource) {
+    const auto file = test_folder() / "e.csv";
+    pipeline::Step step = testing::step_at(1);
+    step.status = FieldStatus::NoTexture;
+    step.motion.omega_source = MotionSource::Gyro;
+    step.motion.forward_source = MotionSource::Wheels;
+    EgomotionCsv csv(file);
+    csv.write(step);
+    csv.close();
+    const std::string text = content(file);
+    EXPECT_NE(text.find("\n1000.040000,no_texture,0.200000,,0.400000,0,1,"), std::string::npos) << text;
+    EXPECT_NE(text.find(",gyro,wheels\n"), std::string::npos) << text;
 }
 
 TEST(EgomotionCsv, ATurnThatWasNotMeasuredAndNumbersThatAreNoneAreEmptyCells) {
     const auto file = test_folder() / "e.csv";
     pipeline::Step step = testing::step_at(1);
     step.status = FieldStatus::NoTexture;
+    step.motion = {};
     step.v_mps = std::numeric_limits<double>::quiet_NaN();
     EgomotionCsv csv(file);
     csv.write(step);

@@ -41,10 +41,18 @@ TEST_F(RealDrives, LidarConfirmsTheObstaclesOfABrakingCar) {
 TEST_F(RealDrives, TheTurnOfASmallCarFollowsItsGyro) {
     need(data / "donkeycar-gyro");
     if (IsSkipped()) return;
-    const GyroScore score = gyro_score(data / "donkeycar-gyro");
+    const GyroScore score = gyro_score(data / "donkeycar-gyro", pipeline::SensorUse::Off);
     EXPECT_GT(score.ok.percent(), 80.0);
     EXPECT_GT(score.correlation, 0.9);
     EXPECT_LT(score.median_difference_degps, 4.0);
+}
+
+TEST_F(RealDrives, WithItsGyroTheTurnOfASmallCarIsKnownInAllImages) {
+    need(data / "donkeycar-gyro");
+    if (IsSkipped()) return;
+    const GyroScore score = gyro_score(data / "donkeycar-gyro", pipeline::SensorUse::Prior);
+    EXPECT_GT(score.known.percent(), 99.0);
+    EXPECT_LT(score.difference_degps.rms(), 4.4);  // below half of that of the camera alone
 }
 
 TEST_F(RealDrives, WhatIsMissingIsSaid) {

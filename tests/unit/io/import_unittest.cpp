@@ -268,6 +268,31 @@ TEST(ImageFolder, TimesFileWithoutHeaderUsesTheFirstColumn) {
     EXPECT_EQ(read_times_file(file), (std::vector<double>{0.5, 0.75}));
 }
 
+TEST(ImageFolder, AColumnOfTurnRatesBecomesReadingsOfAGyroHalfWayBetweenTheRows) {
+    const auto folder = test_folder();
+    for (int i = 0; i < 3; ++i) write_picture(folder / "images" / (std::to_string(i) + ".png"), i);
+    write_bytes(folder / "log.csv", "timestamp_s,gyro_z_degps\n5.0,90\n5.1,-45\n5.3,0\n");
+    ImageFolder sequence(folder / "images", small_camera(), {});
+    const auto gyro = sequence.gyro();
+    ASSERT_EQ(gyro.size(), 2U);
+    EXPECT_NEAR(gyro[0].timestamp_s, 5.05, 1e-9);
+    EXPECT_NEAR(gyro[0].omega_radps, 90 * degree_rad, 1e-9);
+    EXPECT_NEAR(gyro[1].timestamp_s, 5.2, 1e-9);
+    EXPECT_NEAR(gyro[1].omega_radps, -45 * degree_rad, 1e-9);
+    const fs::path output = folder / "with_gyro.rawlog";
+    RecordingOptions options;
+    options.output = output;
+    EXPECT_EQ(write_recording(sequence, options).gyro, 2U);
+    RawlogReader reader(output);
+    FieldSource source(reader, {});
+    while (source.next()) continue;
+    EXPECT_EQ(source.counts().gyro, 2U);
+    EXPECT_EQ(source.counts().fields, 3U);
+    write_bytes(folder / "log.csv", "timestamp_s,gyro_z_radps\n5.0,0.5\n5.1,0.25\n5.3,0\n");
+    EXPECT_NEAR(read_gyro_file(folder / "log.csv").at(0).omega_radps, 0.5, 1e-12);
+    EXPECT_TRUE(ImageFolder(folder / "images", small_camera(), {{}, 10.0}).gyro().empty());
+}
+
 TEST(ImageFolder, UnusableTimesAreNamed) {
     const auto folder = test_folder();
     for (int i = 0; i < 3; ++i) write_picture(folder / (std::to_string(i) + ".png"), i);

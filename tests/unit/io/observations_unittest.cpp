@@ -98,6 +98,22 @@ TEST(Observations, OdometryHasPoseAndMeasuredRates) {
     EXPECT_DOUBLE_EQ(odometry->velocityLocal.omega, 0.3);
 }
 
+TEST(Observations, ThePoseHasItsCovariance) {
+    pipeline::Step step = finished_cycle();
+    step.covariance << 0.04, 0.01, 0.002, 0.01, 0.09, 0.003, 0.002, 0.003, 0.0025;
+    const auto observation = pose_observation(step);
+    EXPECT_EQ(observation->sensorLabel, "FLOW_POSE");
+    EXPECT_DOUBLE_EQ(observation->pose.mean.x(), 1.0);
+    EXPECT_DOUBLE_EQ(observation->pose.mean.yaw(), 0.5);
+    const auto& covariance = observation->pose.cov;  // x, y, z, yaw, pitch, roll
+    EXPECT_DOUBLE_EQ(covariance(0, 0), 0.04);
+    EXPECT_DOUBLE_EQ(covariance(1, 1), 0.09);
+    EXPECT_DOUBLE_EQ(covariance(3, 3), 0.0025);
+    EXPECT_DOUBLE_EQ(covariance(0, 1), 0.01);
+    EXPECT_DOUBLE_EQ(covariance(3, 0), 0.002);
+    EXPECT_DOUBLE_EQ(covariance(2, 2), 0.0);
+}
+
 TEST(Observations, OdometryOfALostFieldHasNoRates) {
     pipeline::Step step = finished_cycle();
     step.status = FieldStatus::Lost;

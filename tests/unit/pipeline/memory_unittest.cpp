@@ -71,6 +71,25 @@ TEST(Memory, InSteadyStateNothingIsAllocatedPerField) {
     }
 }
 
+TEST(Memory, InSteadyStateReadingsOfWheelsAndGyroAllocateNothing) {
+    testing::DriveOptions options;
+    options.kind = testing::SceneKind::Straight;
+    options.images = 13;
+    const testing::Scene scene = testing::drive(options);
+    const std::vector<Field> fields = render_fields(scene);
+    pipeline::State state(testing::cycles_of(3));
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const long before = allocations;
+        pipeline::note_wheels(state, {fields[i].timestamp_s, scene.poses[i]});
+        pipeline::note_gyro(state, {fields[i].timestamp_s, 0.01});
+        pipeline::step(state, fields[i]);
+        const long made = allocations - before;
+        if (i >= 7) {
+            EXPECT_EQ(made, 0) << "field " << i;
+        }
+    }
+}
+
 TEST(Memory, InSteadyStateTheLocalMapAllocatesNothing) {
     mapping::LocalMap map({});
     mapping::ObstacleSet set;

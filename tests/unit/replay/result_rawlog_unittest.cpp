@@ -42,6 +42,7 @@ TEST(ResultRawlog, HoldsOnlyStandardClassesInTheGivenOrder) {
     EXPECT_EQ(reader.end().kind, io::ReadEnd::Kind::Clean) << reader.end().message;
     const std::map<std::string, int> expected = {{"mrpt::obs::CObservationOdometry ODOMETRY", 9},
                                                  {"mrpt::obs::CObservationOdometry FLOW_ODOMETRY", 9},
+                                                 {"mrpt::obs::CObservationRobotPose FLOW_POSE", 9},
                                                  {"mrpt::obs::CObservation2DRangeScan FLOW_SCAN", 2},
                                                  {"mrpt::obs::CObservationPointCloud FLOW_POINTS", 2},
                                                  {"mrpt::obs::CObservationImage CAMERA1", 9}};
@@ -81,7 +82,7 @@ TEST(ResultRawlog, CountsWhatItWroteByLabel) {
     rawlog.write(step_at(3));
     rawlog.write(step_at(4));
     const std::map<std::string, std::uint64_t> expected = {
-        {"FLOW_ODOMETRY", 2}, {"FLOW_POINTS", 1}, {"FLOW_SCAN", 1}};
+        {"FLOW_ODOMETRY", 2}, {"FLOW_POINTS", 1}, {"FLOW_POSE", 2}, {"FLOW_SCAN", 1}};
     EXPECT_EQ(rawlog.counts(), expected);
 }
 

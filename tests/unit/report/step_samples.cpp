@@ -40,6 +40,8 @@ pipeline::Step step_at(int i, double omega_radps, double v_mps) {
     step.pitch_rate_radps = -0.001;
     step.v_mps = v_mps;
     step.v_measured = step.end_of_cycle;
+    step.motion.omega_measured = step.motion.forward_measured = true;
+    step.motion.omega_source = step.motion.forward_source = MotionSource::Flow;
     step.counts.placed = 350;
     step.counts.confident = 320;
     step.counts.inliers = 300;

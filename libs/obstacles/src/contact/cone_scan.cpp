@@ -23,11 +23,11 @@ constexpr double held_below_m = 1.45;  // nearer: the held place is the answer
 constexpr double held_way_m = 1.2;     // a place is held over this way
 constexpr double same_place = 0.25;    // of the distance, between two scans
 constexpr double plateau_share = 0.85;
-constexpr double steep_min = 25.0;   // score of steep edges that is an alarm
-constexpr double steep_ratio = 8.0;  // and its ratio to that of the sides,
+constexpr double steep_min = 19.0;   // score of steep edges that is an alarm
+constexpr double steep_ratio = 6.0;  // and its ratio to that of the sides,
 constexpr double steep_usual_min = 2.0;
-constexpr double all_min = 50.0;  // the same of all edges
-constexpr double all_ratio = 11.0;
+constexpr double all_min = 38.0;  // the same of all edges
+constexpr double all_ratio = 8.0;
 constexpr double all_usual_min = 5.0;
 
 bool is_in_cone(double right) {

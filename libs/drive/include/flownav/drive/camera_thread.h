@@ -25,6 +25,7 @@ class CameraThread : public SensorFeed {
     CameraThread(const io::ProducerSettings& settings, const SteadyClock& clock, FieldSink sink);
     ~CameraThread() override;
 
+    void odometry(const nav::WheelReading& reading) override;
     std::vector<nav::SensorUpdate> arrived() override;
     std::string end() override;
 
@@ -32,6 +33,7 @@ class CameraThread : public SensorFeed {
     void run();
     void read_fields();
     double clock_time_s(double timestamp_s);
+    std::vector<WheelPose> new_wheels();
 
     io::LiveFields fields_;
     const SteadyClock& clock_;
@@ -40,6 +42,7 @@ class CameraThread : public SensorFeed {
     std::optional<double> recording_began_;  ///< clock - time stamp of a recording
     std::mutex mutex_;
     std::vector<nav::SensorUpdate> arrived_;
+    std::vector<WheelPose> wheels_;  ///< readings that the thread has not taken yet
     std::string end_;
     std::atomic<bool> stops_{false};
     std::thread thread_;  ///< last: starts when all other members exist

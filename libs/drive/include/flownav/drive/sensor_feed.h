@@ -5,6 +5,7 @@
 
 #include "flownav/core/field.h"
 #include "flownav/nav/navigation_stack.h"
+#include "flownav/nav/robot_base.h"
 #include "flownav/pipeline/repeated_images.h"
 #include "flownav/pipeline/step.h"
 
@@ -17,6 +18,9 @@ class SensorFeed {
     virtual ~SensorFeed() = default;
     SensorFeed(const SensorFeed&) = delete;
     SensorFeed& operator=(const SensorFeed&) = delete;
+
+    /// Takes a reading of the wheels, for the sensor's own use. Called before arrived(); never waits.
+    virtual void odometry(const nav::WheelReading& /*reading*/) {}
 
     /// Returns the updates that arrived since the last call, in order of arrival. Never waits.
     virtual std::vector<nav::SensorUpdate> arrived() = 0;

@@ -5,6 +5,7 @@
 
 #include "flownav/core/field.h"
 #include "flownav/core/pose2.h"
+#include "flownav/core/readings.h"
 
 namespace flownav::io {
 
@@ -21,6 +22,8 @@ class DriveRecording {
     void write(const Field& field);
     /// Writes a CObservationOdometry labelled ODOMETRY.
     void write_odometry(double timestamp_s, const Pose2& T_odom_robot);
+    /// Writes a CObservationIMU labelled IMU.
+    void write_gyro(const GyroRate& reading);
     /// Writes a CObservationRobotPose labelled GROUND_TRUTH.
     void write_truth(double timestamp_s, const Pose2& T_world_robot);
 

@@ -19,14 +19,20 @@ struct FrameTimes {
 /// separated by commas, semicolons or blanks. Throws InputError, also when the times do not rise.
 std::vector<double> read_times_file(const std::filesystem::path& file);
 
+/// Reads gyro readings from the column gyro_z_degps or gyro_z_radps (> 0 to the left) of a file with times:
+/// the mean rate from the time of its row to that of the next, dated half-way. Empty when there is no such
+/// column. Throws InputError.
+std::vector<GyroRate> read_gyro_file(const std::filesystem::path& file);
+
 /// Pictures (png, jpg, bmp, pgm, tif) of a folder in the order of their names, with digits compared as
-/// numbers. Colour is converted to grey.
+/// numbers. Colour is converted to grey. A file with times may have the readings of a gyro as well.
 class ImageFolder : public ImageSequence {
   public:
     ImageFolder(const std::filesystem::path& directory, config::CameraConfig camera, const FrameTimes& times);
 
     std::optional<SequenceFrame> next() override;
     std::size_t size() const override { return images_.size(); }
+    std::vector<GyroRate> gyro() const override { return gyro_; }
 
     /// Description of the source of the times, for messages.
     const std::string& times_source() const { return times_source_; }
@@ -34,6 +40,7 @@ class ImageFolder : public ImageSequence {
   private:
     std::vector<std::filesystem::path> images_;
     std::vector<double> times_s_;
+    std::vector<GyroRate> gyro_;
     std::string times_source_;
     config::CameraConfig camera_;
     std::size_t at_ = 0;

@@ -6,6 +6,7 @@
 
 #include "flownav/core/field.h"
 #include "flownav/core/pose2.h"
+#include "flownav/core/readings.h"
 
 namespace flownav::io {
 
@@ -29,6 +30,9 @@ class ImageSequence {
 
     /// Expected number of images; 0: unknown.
     virtual std::size_t size() const = 0;
+
+    /// Readings of a gyro that come with the images, in the order of their times; empty: there are none.
+    virtual std::vector<GyroRate> gyro() const { return {}; }
 
     /// Messages about images that could not be read, one sentence each.
     const std::vector<std::string>& problems() const { return problems_; }

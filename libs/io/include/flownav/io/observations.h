@@ -4,6 +4,7 @@
 #include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationPointCloud.h>
+#include <mrpt/obs/CObservationRobotPose.h>
 
 #include <string>
 
@@ -26,8 +27,12 @@ mrpt::obs::CObservation2DRangeScan::Ptr scan_observation(const pipeline::Step& s
 mrpt::obs::CObservationPointCloud::Ptr points_observation(const pipeline::Step& step);
 
 /// FLOW_ODOMETRY: the integrated pose, identity at the first field, with forward speed and turn rate when the
-/// field's status is Ok.
+/// turn was measured or told by other sensors.
 mrpt::obs::CObservationOdometry::Ptr odometry_observation(const pipeline::Step& step);
+
+/// FLOW_POSE: the pose of FLOW_ODOMETRY with its covariance, which CObservationOdometry has no room for. z,
+/// pitch and roll are 0 and exact.
+mrpt::obs::CObservationRobotPose::Ptr pose_observation(const pipeline::Step& step);
 
 /// ODOMETRY: the robot's own odometry, projected on the ground.
 mrpt::obs::CObservationOdometry::Ptr odometry_observation(const PoseSample& sample);

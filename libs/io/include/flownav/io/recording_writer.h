@@ -20,11 +20,12 @@ struct RecordingCounts {
     std::uint64_t frames = 0;
     std::uint64_t fields = 0;
     std::uint64_t poses = 0;
+    std::uint64_t gyro = 0;
 };
 
 /// Writes a sequence as a gz rawlog of standard observations: every image with its calibration and camera
-/// pose, and GROUND_TRUTH for every pose. The file gets its name when it is complete and is removed on
-/// failure. Throws OutputError, and InputError when no image can be read.
+/// pose, GROUND_TRUTH for every pose and IMU for every reading of a gyro. The file gets its name when it is
+/// complete and is removed on failure. Throws OutputError, and InputError when no image can be read.
 RecordingCounts write_recording(ImageSequence& sequence, const RecordingOptions& options);
 
 }  // namespace flownav::io

@@ -14,11 +14,24 @@ struct RateParams {
     double carry_max_s = 1.0;
 };
 
+/// What another sensor of motion is used for. Without readings each of them is off.
+enum class SensorUse {
+    Off,
+    Fallback,  ///< tells the motion that the flow does not measure
+    Prior,     ///< in addition tells where to look for the flow, and is averaged with it
+};
+
+struct OtherSensorParams {
+    SensorUse wheels = SensorUse::Fallback;  ///< readings of note_wheels()
+    SensorUse gyro = SensorUse::Fallback;    ///< readings of note_gyro()
+};
+
 struct Params {
     flow::FlowParams flow;
     motion::MotionParams motion;
     obstacles::ObstacleParams obstacles;
     RateParams rate;
+    OtherSensorParams other_sensors;
     bool pitch_online = false;  ///< learn the camera's true pitch while driving
     int threads = 1;            ///< of the block matching; the result does not depend on it
 };

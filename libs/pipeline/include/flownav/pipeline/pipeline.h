@@ -1,8 +1,11 @@
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "flownav/core/field.h"
+#include "flownav/core/readings.h"
 #include "flownav/flow/matcher.h"
+#include "flownav/pipeline/motion_history.h"
 #include "flownav/pipeline/params.h"
 #include "flownav/pipeline/step.h"
 
@@ -27,12 +30,25 @@ class State {
     /// The record of the last step.
     const Step& last_step() const;
 
+    /// Motion of the robot between two times of the last seconds, not later than the last field; the second
+    /// may be before the first. By the flow odometry; by the wheels where a part of that was carried over.
+    /// Empty when neither reaches from one time to the other.
+    std::optional<MotionBetween> motion_between(double from_s, double to_s) const;
+
   private:
     class Impl;
+    friend void note_wheels(State& state, const WheelPose& reading);
+    friend void note_gyro(State& state, const GyroRate& reading);
     friend const Step& step(State& state, const Field& field);
 
     std::unique_ptr<Impl> impl_;
 };
+
+/// Takes a reading of the wheels or of a gyro, before the field that it belongs to; a field needs the
+/// readings up to its time, better also the next one. Optional: Params::other_sensors tells what they are
+/// used for. A reading that is not finite, or not later than the last of its kind, is left out.
+void note_wheels(State& state, const WheelPose& reading);
+void note_gyro(State& state, const GyroRate& reading);
 
 /// Processes one field: field -> flow -> ego-motion -> obstacles. Returns the record, which lives in the
 /// state and is valid until the next call; its vectors are reused, so that no field allocates in steady

@@ -7,6 +7,7 @@
 #include "flownav/core/flow_vector.h"
 #include "flownav/core/obstacle_point.h"
 #include "flownav/core/pose2.h"
+#include "flownav/core/sensor_agreement.h"
 #include "flownav/core/virtual_scan.h"
 
 namespace flownav::pipeline {
@@ -39,7 +40,7 @@ struct BlockCounts {
 
 /// How much of a pose is not measured but carried over from the last measured motion.
 struct CarriedPose {
-    double since_s = 0.0;    ///< since turn and speed were both measured last; 0: with this field
+    double since_s = 0.0;    ///< since turn and speed were both known last, by the flow or by other sensors
     double sigma_m = 0.0;    ///< standard deviation of the position that all carrying since the start caused
     double sigma_rad = 0.0;  ///< the same of the heading
 };
@@ -57,11 +58,16 @@ struct Step {
     double omega_radps = 0.0;             ///< from the previous field to this one, > 0 left
     double pitch_rate_radps = 0.0;        ///< from the previous field to this one, > 0 raises the view
     double v_mps = 0.0;                   ///< mean forward speed since the reference
-    bool v_measured = false;  ///< a cycle ended here and measured it; false: predicted or carried over
+    /// A cycle ended here and measured it, or other sensors told it: motion.forward_source; false: predicted
+    /// or carried over.
+    bool v_measured = false;
     double pitch_correction_rad = 0.0;  ///< added to the pitch of the field's camera (pitch_online)
     EgoMotion motion;                   ///< from the cycle's reference to this field
     Pose2 T_start_robot;                ///< flow odometry; identity at the first field
     CarriedPose carried;                ///< how far T_start_robot can be relied on
+    /// Of T_start_robot: x, y (m), yaw (rad) in the start frame, with all that was carried over.
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    SensorChecks other_sensors;  ///< how wheels and gyro agree with the flow
     BlockCounts counts;
     std::vector<BlockRecord> blocks;
     std::vector<ObstaclePoint> obstacles;  ///< robot frame at timestamp_s; only at the end of a cycle

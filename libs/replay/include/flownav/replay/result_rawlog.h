@@ -21,7 +21,7 @@ class ResultRawlog {
     ResultRawlog(const std::filesystem::path& path, double range_max_m)
         : file_(path), range_max_m_(range_max_m) {}
 
-    /// Writes FLOW_ODOMETRY, and at the end of a cycle FLOW_SCAN and FLOW_POINTS.
+    /// Writes FLOW_ODOMETRY and FLOW_POSE, and at the end of a cycle FLOW_SCAN and FLOW_POINTS.
     void write(const pipeline::Step& step);
 
     /// Writes a copy of the robot's own odometry.
