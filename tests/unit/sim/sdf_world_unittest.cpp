@@ -247,7 +247,7 @@ TEST(SdfWorld, WhatIsWrittenIsReadAsTheSameWorld) {
 }
 
 TEST(SdfWorld, EverySurfaceIsWrittenAndReadAgain) {
-    for (int number = 0; number <= static_cast<int>(Surface::Marbled); ++number) {
+    for (int number = 0; number <= static_cast<int>(Surface::Lamp); ++number) {
         World world;
         world.floor = {static_cast<Surface>(number), 90.0, 7};
         EXPECT_EQ(static_cast<int>(read_sdf_world(file_with("floor", to_sdf(world))).world.floor.surface),
