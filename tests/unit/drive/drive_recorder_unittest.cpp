@@ -31,7 +31,7 @@ TEST(DriveRecorder, WritesFieldsAndPosesThatCanBeReadAgain) {
     for (int i = 0; i < 5; ++i) {
         recorder.on_field(field_at(1000.0 + i), {});
         recorder.on_odometry(1000.5 + i, {0.1 * i, 0.0, 0.0});
-        recorder.on_truth(1000.5 + i, {0.1 * i, 0.0, 0.0});
+        recorder.on_truth(1000.5 + i, {0.1 * i, 0.0, 0.0}, Eigen::Isometry3d::Identity());
     }
     recorder.complete();
     EXPECT_EQ(recorder.fields_left_out(), 0);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <functional>
 #include <optional>
 #include <string>
@@ -19,6 +19,7 @@ enum class Outcome {
     Reached,    ///< at the goal, or `way_max_m` was driven
     Blocked,    ///< no way was found
     Collision,  ///< the robot touched an obstacle; only of a simulation
+    Fell,       ///< the robot's outline was over an edge of its ground; only of a simulation
     Timeout,  ///< time limit exceeded
     Stopped,  ///< stop_wanted() returned true
     Lost  ///< base or camera failed, or an exception was thrown
@@ -54,6 +55,8 @@ struct DriveSample {
     MotionCommand proposed;
     MotionCommand command;
     double clearance_m = 0.0;  ///< true distance to the nearest obstacle; valid when truth_known
+    /// True height and tilt of the robot in the frame that T_world_robot has on the plane z = 0.
+    Eigen::Isometry3d T_flat_robot = Eigen::Isometry3d::Identity();
 };
 
 struct DriveResult {
@@ -62,7 +65,7 @@ struct DriveResult {
     double time_s = 0.0;
     double path_m = 0.0;  ///< length of the true way in a simulation, of the estimated way otherwise
     double min_clearance_m = 0.0;  ///< simulation only
-    double contact_speed_mps = 0.0;  ///< simulation only, after a collision
+    double contact_speed_mps = 0.0;  ///< simulation only, after a collision or a fall
     std::vector<nav::GuardEvent> stops;  ///< stops and slow-downs; times since the start of the drive
     std::vector<DriveSample> samples;
 };
@@ -78,7 +81,9 @@ class DriveObserver {
 
     virtual void on_field(const Field&, const pipeline::Step&) {}
     virtual void on_odometry(double /*timestamp_s*/, const Pose2& /*T_odom_robot*/) {}
-    virtual void on_truth(double /*timestamp_s*/, const Pose2& /*T_world_robot*/) {}
+    /// `T_flat_robot`: height and tilt on the ground, see DriveSample.
+    virtual void on_truth(double /*timestamp_s*/, const Pose2& /*T_world_robot*/,
+                          const Eigen::Isometry3d& /*T_flat_robot*/) {}
     virtual void on_decision(const DriveSample&, const nav::NavigationStack&) {}
     virtual void on_tick(const DriveSample&) {}
     virtual void on_end(const nav::NavigationStack&) {}
@@ -92,6 +97,8 @@ class Witness {
         MotionCommand motion;
         double clearance_m = 0.0;
         std::string touched;  ///< name of the touched obstacle; empty when the robot is free
+        std::string fell;     ///< place and depth of the edge the robot is over; empty when it stands
+        Eigen::Isometry3d T_flat_robot = Eigen::Isometry3d::Identity();  ///< height and tilt on the ground
         bool at_goal = false;
     };
 
