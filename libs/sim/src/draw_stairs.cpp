@@ -99,7 +99,7 @@ void draw_stair_ahead(World& world, WorldBuilder& builder, Random& random) {
     const int steps = random.integer(4, 6);
     const double end_m = edge_m + stairs_down(world, {edge_m, 0.0, 0.0}, 2 * half_m, steps, 0.8,
                                               builder.look(world.floor.surface, 90, 150));
-    const double far_m = side * (half_m + random.uniform(5.5, 6.5));
+    const double far_m = side * (half_m + random.uniform(7.0, 8.0));
     const auto wall = [&](const Vector2d& a, const Vector2d& b) { builder.wall(side > 0 ? a : b, side > 0 ? b : a); };
     wall({-1.2, -side * half_m}, {end_m, -side * half_m});
     wall({end_m, -side * half_m}, {end_m, side * half_m});

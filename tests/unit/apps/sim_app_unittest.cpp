@@ -77,7 +77,7 @@ TEST(SimApp, BadUsageIsStatusOneAndSaysWhatIsWrong) {
         {{"a.world", "--script", "wait 1"}, "--output"},
         {{"a.world", "--output", "o"}, "--path"},
         {{"a.world", "--script", "wait 1", "--path", "p.csv", "--output", "o"}, "not both"},
-        {{"--generate", "cave", "--write-world", "o"}, "corridor, office, hall, forest"},
+        {{"--generate", "cave", "--write-world", "o"}, "corridor, office, hall, forest, stairs, ramp"},
         {{"--generate", "hall", "--fov-deg", "190", "--write-world", "o"}, "--fov-deg 190: must be 10..140"},
         {{"--generate", "hall", "--width", "3", "--write-world", "o"}, "--width 3"},
         {{"--generate", "hall", "--height-m", "99", "--write-world", "o"}, "camera.height_m"},
@@ -103,7 +103,7 @@ TEST(SimApp, AWorldOrPathThatCannotBeReadIsStatusTwo) {
 
 TEST(SimApp, WritesTheGeneratedWorld) {
     const fs::path file = test_folder() / "w.world";
-    const Outcome outcome = run({"--generate", "office", "--seed", "3", "--write-world", file.string()});
+    const Outcome outcome = run({"--generate", "office", "--seed", "3", "--objects", "patterned", "--write-world", file.string()});
     EXPECT_EQ(outcome.status, 0) << outcome.error;
     EXPECT_EQ(text_of(file), sim::to_sdf(sim::generate_world(sim::WorldKind::Office, 3)));
     EXPECT_EQ(run({"--generate", "hall", "--write-world", "/no/such/folder/w.world"}).status, 3);

@@ -153,8 +153,8 @@ TEST(NavApp, TheRecordingIsKeptThoughTheResultCannotBeWritten) {
 
 TEST(NavApp, ADriveThatSeesIsRecordedAndReplayedIntoItsReport) {
     const fs::path out = folder();
-    const AppOutcome result = run({"--generate", "corridor", "--width", "320", "--height", "240",
-                                   "--timeout-s", "3", "--output", out.string()});
+    const AppOutcome result = run({"--generate", "corridor", "--objects", "patterned", "--width", "320",
+                                   "--height", "240", "--timeout-s", "3", "--output", out.string()});
     EXPECT_EQ(result.status, 6) << result.error << result.out;
     for (const char* name : {"run.rawlog", "report.html", "map.pgm", "trajectory.tum", "drive.csv"})
         EXPECT_GT(fs::file_size(out / name), 100U) << name;
