@@ -133,7 +133,8 @@ sim::World make_world(Arguments& a, std::ostream& error) {
     if (a.generate.isSet()) {
         std::vector<std::pair<std::string, sim::WorldKind>> kinds;
         for (const sim::WorldKind kind : sim::all_world_kinds) kinds.emplace_back(to_string(kind), kind);
-        return sim::generate_world(one_of<sim::WorldKind>("generate", a.generate.getValue(), kinds), seed_of(a));
+        return sim::generate_world(one_of<sim::WorldKind>("generate", a.generate.getValue(), kinds),
+                                   seed_of(a));
     }
     sim::LoadedWorld loaded = sim::read_sdf_world(a.world.getValue());
     for (const std::string& warning : loaded.warnings) error << "flownav-nav: warning: " << warning << '\n';
@@ -196,10 +197,9 @@ void set_goals(Arguments& a, drive::SimulatedDriveOptions& drive) {
 /// What only the simulation knows must not be ignored in silence.
 void refuse_simulation_options(Arguments& a) {
     const std::initializer_list<TCLAP::Arg*> simulated = {
-        &a.world,   &a.generate,       &a.success_radius, &a.sensor,
-        &a.seed,    &a.width,          &a.height,         &a.fov,
-        &a.rate,    &a.interlaced,     &a.noise,          &a.vibration,
-        &a.objects, &a.floor, &a.reference_path, &a.realtime,       &a.supersampling};
+        &a.world,   &a.generate, &a.success_radius, &a.sensor,     &a.seed,         &a.width,
+        &a.height,  &a.fov,      &a.rate,           &a.interlaced, &a.noise,        &a.vibration,
+        &a.objects, &a.floor,    &a.reference_path, &a.realtime,   &a.supersampling};
     for (const TCLAP::Arg* argument : simulated) {
         if (argument->isSet())
             throw config::ConfigError("--" + argument->getName() + ": only with --robot sim");

@@ -107,7 +107,8 @@ void set_looks(Arguments& a, sim::World& world) {
     const std::string word = a.objects.getValue();
     if (a.objects.isSet() || a.generate.isSet()) {
         const auto word_of_look = [](Look look) { return to_string(look); };
-        set_objects(world, word.empty() ? Look::Real : named("objects", word, looks, word_of_look), seed_of(a));
+        set_objects(world, word.empty() ? Look::Real : named("objects", word, looks, word_of_look),
+                    seed_of(a));
     }
     if (!a.floor.isSet()) return;
     const auto word_of_floor = [](const auto& floor) { return floor.first; };

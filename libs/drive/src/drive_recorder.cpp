@@ -23,8 +23,8 @@ std::string columns(const Pose2& pose) {
 /// Pitch > 0 looks down, as of a camera.
 std::string true_columns(const DriveSample& sample) {
     const Eigen::Vector3d forward = sample.T_flat_robot.linear().col(0);
-    return columns(sample.T_world_robot) + ',' + cli::fixed_text(sample.T_flat_robot.translation().z(), 4) + ',' +
-           cli::fixed_text(std::asin(0.0 - forward.z()), 5);
+    return columns(sample.T_world_robot) + ',' + cli::fixed_text(sample.T_flat_robot.translation().z(), 4) +
+           ',' + cli::fixed_text(std::asin(0.0 - forward.z()), 5);
 }
 
 std::string columns(const MotionCommand& motion) {
@@ -91,7 +91,8 @@ int DriveRecorder::fields_left_out() const {
 
 std::string drive_csv_header() {
     return "time_s,true_x_m,true_y_m,true_yaw_rad,true_z_m,true_pitch_rad,map_x_m,map_y_m,map_yaw_rad,"
-           "odom_x_m,odom_y_m,odom_yaw_rad,v_mps,omega_radps,proposed_v_mps,proposed_omega_radps,command_v_mps,"
+           "odom_x_m,odom_y_m,odom_yaw_rad,v_mps,omega_radps,proposed_v_mps,proposed_omega_radps,command_v_"
+           "mps,"
            "command_omega_radps,waypoint_x_m,waypoint_y_m,clearance_m,state,action,why\n";
 }
 

@@ -84,8 +84,9 @@ void DriveRecording::write_truth(double timestamp_s, const Pose2& T_world_robot,
     const Eigen::Matrix3d R = T_flat_robot.linear();
     const double pitch_rad = std::atan2(0.0 - R(2, 0), std::hypot(R(2, 1), R(2, 2)));  // never -0
     const double roll_rad = std::atan2(R(2, 1), R(2, 2));
-    truth.pose.mean = mrpt::poses::CPose3D(T_world_robot.x_m, T_world_robot.y_m, T_flat_robot.translation().z(),
-                                           T_world_robot.yaw_rad, pitch_rad, roll_rad);
+    truth.pose.mean =
+        mrpt::poses::CPose3D(T_world_robot.x_m, T_world_robot.y_m, T_flat_robot.translation().z(),
+                             T_world_robot.yaw_rad, pitch_rad, roll_rad);
     write_object(parts_->file, truth);
 }
 

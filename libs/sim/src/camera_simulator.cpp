@@ -133,7 +133,8 @@ struct CameraSimulator::Impl {
         return camera_pose(mount, T_world_robot, ride_on_ground(world, T_world_robot));
     }
 
-    /// Picture of `camera` on `mount`: the pinhole picture, bent by the lens and averaged over the supersampling.
+    /// Picture of `camera` on `mount`: the pinhole picture, bent by the lens and averaged over the
+    /// supersampling.
     cv::Mat1b render(const Lens& lens, const CameraModel& camera, const Pose2& T_world_robot,
                      const CameraMount& mount, double time_s) {
         context.make_current();

@@ -55,8 +55,8 @@ Vector2d nearest_on(const Vector2d& a, const Vector2d& b, const Polygon& polygon
     return best;
 }
 
-/// Distance of the footprint to a wall of the ground that it can reach from below without a step, when the wall is
-/// too high for a wheel.
+/// Distance of the footprint to a wall of the ground that it can reach from below without a step, when the
+/// wall is too high for a wheel.
 std::optional<double> distance_m(const World& world, const Vector2d& axis_m, const Polygon& footprint,
                                  const GroundWall& wall) {
     constexpr double before_m = 1e-3;
@@ -66,12 +66,15 @@ std::optional<double> distance_m(const World& world, const Vector2d& axis_m, con
     const Vector2d along = (right - left).normalized();
     const Vector2d toward_low(along.y(), -along.x());
     if (toward_low.dot(axis_m - left) <= 0.0) return std::nullopt;
-    const Vector2d before = nearest_on(left, right, footprint) + before_m * toward_low;
+    const Vector2d nearest = nearest_on(left, right, footprint);
+    const Vector2d inward = ((left + right) / 2 - nearest) / (right - left).norm();  // off the wall's ends
+    const Vector2d before = nearest + before_m * (toward_low + inward);
     if (std::abs(ground_steps_m(world, axis_m, before)) > step_max_m) return std::nullopt;
     return distance_m(footprint, Polygon{left, right});
 }
 
-void look_at_ground(const World& world, const Vector2d& axis_m, const Polygon& footprint, Clearance& nearest) {
+void look_at_ground(const World& world, const Vector2d& axis_m, const Polygon& footprint,
+                    Clearance& nearest) {
     if (world.ground.empty()) return;
     for (const GroundWall& wall : ground_walls(world)) {
         const auto found_m = distance_m(world, axis_m, footprint, wall);
@@ -96,7 +99,8 @@ Clearance clearance(const World& world, const RobotModel& robot, const Pose2& T_
         const double at_least_m =
             (pose.translation().head<2>() - centre).norm() - reach_m - bounding_radius_m(solid.shape);
         if (at_least_m >= nearest.distance_m) continue;
-        const std::optional<PlanShape> plan = plan_view(solid.shape, pose, ground_m + lowest_m, ground_m + robot.height_m);
+        const std::optional<PlanShape> plan =
+            plan_view(solid.shape, pose, ground_m + lowest_m, ground_m + robot.height_m);
         if (!plan) continue;
         const double found_m =
             std::visit([&](const auto& shape) { return distance_m(footprint, shape); }, *plan);

@@ -117,7 +117,8 @@ void draw_floor(cv::Mat1f& depth, const cv::Mat3d& rays, const Isometry3d& T_wor
     }
 }
 
-void draw_ground(cv::Mat1f& depth, const cv::Mat3d& rays, const World& world, const Isometry3d& T_world_camera) {
+void draw_ground(cv::Mat1f& depth, const cv::Mat3d& rays, const World& world,
+                 const Isometry3d& T_world_camera) {
     if (world.ground.empty()) return draw_floor(depth, rays, T_world_camera);
     const Ground ground(world);
     for (int v = 0; v < depth.rows; ++v) {
@@ -161,7 +162,7 @@ cv::Mat1f exact_depth(const World& world, const CameraModel& camera, const Isome
             for (int u = pixels.x; u < pixels.x + pixels.width; ++u) {
                 const cv::Vec3d& ray = rays(v, u);
                 const LocalRay local{T_solid_camera.translation(),
-                                T_solid_camera.linear() * Vector3d(ray[0], ray[1], ray[2])};
+                                     T_solid_camera.linear() * Vector3d(ray[0], ray[1], ray[2])};
                 const double t =
                     std::visit([&](const auto& shape) { return depth_of(shape, local); }, solid.shape);
                 depth(v, u) = std::min(depth(v, u), static_cast<float>(t));

@@ -8,8 +8,8 @@
 
 namespace flownav::sim {
 
-/// Pose of a camera on a robot that rides on its ground, see ride_on_ground(): axes x right, y down, z along the
-/// optical axis.
+/// Pose of a camera on a robot that rides on its ground, see ride_on_ground(): axes x right, y down, z along
+/// the optical axis.
 Eigen::Isometry3d camera_pose(const CameraMount& mount, const Pose2& T_world_robot,
                               const Eigen::Isometry3d& T_flat_robot);
 

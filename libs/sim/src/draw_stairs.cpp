@@ -27,11 +27,13 @@ void level_piece(World& world, const std::string& name, const Pose2& thing, cons
     world.ground.push_back(piece);
 }
 
-/// Stairs that lead down from the origin of `top` along its x, and a landing below them. Returns their length.
-double stairs_down(World& world, const Pose2& top, double width_m, int steps, double landing_m, const Look& look) {
+/// Stairs that lead down from the origin of `top` along its x, and a landing below them. Returns their
+/// length.
+double stairs_down(World& world, const Pose2& top, double width_m, int steps, double landing_m,
+                   const Look& look) {
     for (int i = 0; i < steps; ++i)
-        level_piece(world, "step_" + std::to_string(i + 1), top, {(i + 0.5) * tread_m, 0.0}, {tread_m, width_m},
-                    -(i + 1) * riser_m, look);
+        level_piece(world, "step_" + std::to_string(i + 1), top, {(i + 0.5) * tread_m, 0.0},
+                    {tread_m, width_m}, -(i + 1) * riser_m, look);
     level_piece(world, "landing", top, {steps * tread_m + landing_m / 2, 0.0}, {landing_m, width_m},
                 -(steps + 1) * riser_m, look);
     return steps * tread_m + landing_m;
@@ -100,7 +102,9 @@ void draw_stair_ahead(World& world, WorldBuilder& builder, Random& random) {
     const double end_m = edge_m + stairs_down(world, {edge_m, 0.0, 0.0}, 2 * half_m, steps, 0.8,
                                               builder.look(world.floor.surface, 90, 150));
     const double far_m = side * (half_m + random.uniform(7.0, 8.0));
-    const auto wall = [&](const Vector2d& a, const Vector2d& b) { builder.wall(side > 0 ? a : b, side > 0 ? b : a); };
+    const auto wall = [&](const Vector2d& a, const Vector2d& b) {
+        builder.wall(side > 0 ? a : b, side > 0 ? b : a);
+    };
     wall({-1.2, -side * half_m}, {end_m, -side * half_m});
     wall({end_m, -side * half_m}, {end_m, side * half_m});
     wall({end_m, side * half_m}, {branch_m + branch_half_m, side * half_m});

@@ -65,7 +65,8 @@ unsigned int compiled(unsigned int kind, const char* source) {
     glCompileShader(shader);
     int fine = 0;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &fine);
-    if (fine == 0) throw std::runtime_error("simulated camera: OpenGL refuses the shader of shadows; needs GLSL 1.30");
+    if (fine == 0)
+        throw std::runtime_error("simulated camera: OpenGL refuses the shader of shadows; needs GLSL 1.30");
     return shader;
 }
 
@@ -90,7 +91,9 @@ class Uniforms {
     explicit Uniforms(unsigned int program) : program_(program) {}
     int at(const char* name) const { return glGetUniformLocation(program_, name); }
     void set(const char* name, double value) const { glUniform1f(at(name), as_float(value)); }
-    void set(const char* name, const Vector2d& v) const { glUniform2f(at(name), as_float(v.x()), as_float(v.y())); }
+    void set(const char* name, const Vector2d& v) const {
+        glUniform2f(at(name), as_float(v.x()), as_float(v.y()));
+    }
 
   private:
     unsigned int program_;

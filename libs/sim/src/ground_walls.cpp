@@ -36,8 +36,7 @@ std::vector<double> cuts_of(const Ground& ground, const Side& side) {
         if (static_cast<int>(i) == side.piece) continue;
         const PlanPiece& other = ground.pieces()[i];
         for (const double off_m : {-beside_m, beside_m}) {
-            const auto stretch =
-                stretch_in(other, side.a_m + off_m * side.outward(), side.b_m - side.a_m);
+            const auto stretch = stretch_in(other, side.a_m + off_m * side.outward(), side.b_m - side.a_m);
             if (!stretch) continue;
             for (const double share : {stretch->enter, stretch->leave})
                 if (share > 0.0 && share < 1.0) cuts.push_back(share);

@@ -97,11 +97,14 @@ class Furnisher {
         const Look frame = contrast(leaf.grey);
         add("door", {leaf_m, 0.02, high_m}, place(0.0, 0.005, high_m / 2), leaf, true);
         for (const double end : {-1.0, 1.0})
-            add("jamb", {frame_m, 0.04, high_m}, place(end * (leaf_m + frame_m) / 2, 0.01, high_m / 2), frame, true);
-        add("lintel", {leaf_m + 2 * frame_m, 0.04, frame_m}, place(0.0, 0.01, high_m + frame_m / 2), frame, true);
+            add("jamb", {frame_m, 0.04, high_m}, place(end * (leaf_m + frame_m) / 2, 0.01, high_m / 2), frame,
+                true);
+        add("lintel", {leaf_m + 2 * frame_m, 0.04, frame_m}, place(0.0, 0.01, high_m + frame_m / 2), frame,
+            true);
     }
 
-    void add_mark(const std::string& name, const Eigen::AlignedBox2d& area, const Vector2d& size_m, const Look& look) {
+    void add_mark(const std::string& name, const Eigen::AlignedBox2d& area, const Vector2d& size_m,
+                  const Look& look) {
         Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
         const double x_m = random_.uniform(area.min().x(), area.max().x());
         const double y_m = random_.uniform(area.min().y(), area.max().y());
@@ -113,7 +116,8 @@ class Furnisher {
     void add_marks(const Eigen::AlignedBox2d& area) {
         for (int i = random_.integer(3, 6); i > 0; --i)
             add_mark("tape", area, {random_.uniform(0.6, 2.5), 0.05}, contrast(world_.floor.grey));
-        for (int i = random_.integer(2, 4); i > 0; --i) add_mark("paper", area, {0.297, 0.21}, plain(190, 215));
+        for (int i = random_.integer(2, 4); i > 0; --i)
+            add_mark("paper", area, {0.297, 0.21}, plain(190, 215));
         for (int i = random_.integer(1, 3); i > 0; --i) {
             const Vector2d size(random_.uniform(0.6, 1.2), random_.uniform(0.4, 0.8));
             add_mark("mat", area, size, contrast(world_.floor.grey));
@@ -131,7 +135,8 @@ class Furnisher {
         }
     }
 
-    ShadowLight light(double flattest, double loss_low, double loss_high, double soft_low_m, double soft_high_m) {
+    ShadowLight light(double flattest, double loss_low, double loss_high, double soft_low_m,
+                      double soft_high_m) {
         ShadowLight light;
         const double turn_rad = random_.uniform(-M_PI, M_PI);
         const double slant = random_.uniform(0.1, flattest);

@@ -28,7 +28,8 @@ bool is_walkable(const Eigen::Isometry3d& T_world_surface) {
 
 std::string model_of(const std::string& part_name) {
     const auto part = part_name.rfind('/');
-    const auto link = part == std::string::npos || part == 0 ? std::string::npos : part_name.rfind('/', part - 1);
+    const auto link =
+        part == std::string::npos || part == 0 ? std::string::npos : part_name.rfind('/', part - 1);
     return link == std::string::npos ? part_name : part_name.substr(0, link);
 }
 
@@ -72,13 +73,14 @@ std::optional<ShadowLight> shadow_light_of(const sdf::ElementPtr& world) {
     std::istringstream words(text);
     ShadowLight light;
     std::string rest;
-    const bool read = static_cast<bool>(words >> light.towards.x() >> light.towards.y() >> light.towards.z() >>
-                                        light.loss >> light.soft_m);
+    const bool read = static_cast<bool>(words >> light.towards.x() >> light.towards.y() >>
+                                        light.towards.z() >> light.loss >> light.soft_m);
     if (!read || words >> rest || !light.towards.allFinite() || !(light.towards.z() > 0.0) ||
         !(light.loss >= 0.0 && light.loss <= 1.0) || !(light.soft_m >= 0.0 && light.soft_m <= 10.0)) {
-        throw std::invalid_argument(std::string(shadows_element) + " \"" + text +
-                                    "\" must be X Y Z LOSS SOFT_M: the direction to the light with Z > 0, the share "
-                                    "of light that is lost, 0..1, and the width of the edge, 0..10 m");
+        throw std::invalid_argument(
+            std::string(shadows_element) + " \"" + text +
+            "\" must be X Y Z LOSS SOFT_M: the direction to the light with Z > 0, the share "
+            "of light that is lost, 0..1, and the width of the edge, 0..10 m");
     }
     return light;
 }

@@ -24,14 +24,15 @@ std::string model_of(const std::string& part_name);
 /// Carpet of middle grey, with a seed made of the name.
 Look default_ground_look(const std::string& name);
 
-/// Adds a piece of ground. A piece in the same place, its collision or visual, becomes the same piece; the visual
-/// gives its look and its name is kept.
+/// Adds a piece of ground. A piece in the same place, its collision or visual, becomes the same piece; the
+/// visual gives its look and its name is kept.
 void add_ground(World& world, const GroundPiece& piece, bool is_visual);
 
 /// Moves the boxes that a robot can stand on to the ground of the world; returns the other parts.
 Parts take_ground(World& world, Parts& parts);
 
-/// The light of an SDF world; empty when it has none. Throws std::invalid_argument with the text that is wrong.
+/// The light of an SDF world; empty when it has none. Throws std::invalid_argument with the text that is
+/// wrong.
 std::optional<ShadowLight> shadow_light_of(const sdf::ElementPtr& world);
 
 }  // namespace flownav::sim

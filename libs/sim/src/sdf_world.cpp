@@ -56,7 +56,8 @@ bool is_floor(const Isometry3d& T_world_plane) {
 /// Pose whose z axis is the normal of a plane.
 Isometry3d along_normal(const sdf::Plane& plane, const Isometry3d& T_world_plane) {
     const auto& n = plane.Normal();
-    return T_world_plane * Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), Vector3d(n.X(), n.Y(), n.Z()));
+    return T_world_plane *
+           Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), Vector3d(n.X(), n.Y(), n.Z()));
 }
 
 class Conversion {
@@ -69,7 +70,8 @@ class Conversion {
         Parts parts;
         for (std::uint64_t i = 0; i < model.LinkCount(); ++i)
             link(*model.LinkByIndex(i), T_world_model, name, parts);
-        add_parts(loaded_.world, name, is_ground(name) ? take_ground(loaded_.world, parts) : std::move(parts));
+        add_parts(loaded_.world, name,
+                  is_ground(name) ? take_ground(loaded_.world, parts) : std::move(parts));
         for (std::uint64_t i = 0; i < model.ModelCount(); ++i)
             this->model(*model.ModelByIndex(i), T_world_model, name + "/");
     }
@@ -108,7 +110,8 @@ class Conversion {
     }
 
     /// The floor, or a piece of ground; false for planes that no robot can stand on.
-    bool plane(const sdf::Plane& plane, const Isometry3d& pose, const std::string& name, const sdf::Visual* visual) {
+    bool plane(const sdf::Plane& plane, const Isometry3d& pose, const std::string& name,
+               const sdf::Visual* visual) {
         const Isometry3d T_world_plane = along_normal(plane, pose);
         if (is_floor(T_world_plane)) {
             if (visual) loaded_.world.floor = look_of(*visual).value_or(loaded_.world.floor);
@@ -119,7 +122,8 @@ class Conversion {
         piece.name = model_of(name);
         piece.T_world_ground = T_world_plane;
         piece.size_m = {plane.Size().X(), plane.Size().Y()};
-        piece.look = visual ? look_of(*visual).value_or(default_ground_look(name)) : default_ground_look(name);
+        piece.look =
+            visual ? look_of(*visual).value_or(default_ground_look(name)) : default_ground_look(name);
         add_ground(loaded_.world, piece, visual != nullptr);
         return true;
     }

@@ -67,7 +67,8 @@ void add_thing(World& world, const StraightScene& s) {
 void add_marks(World& world, const StraightScene& s) {
     const Look bright{Surface::Plain, s.floor.grey + 60.0, 0};
     const Look dark{Surface::Plain, s.floor.grey - 50.0, 0};
-    const auto mark = [&](const std::string& name, const Vector2d& size_m, double x_m, double y_m, const Look& look) {
+    const auto mark = [&](const std::string& name, const Vector2d& size_m, double x_m, double y_m,
+                          const Look& look) {
         Solid solid = solid_at(name, Box{{size_m.x(), size_m.y(), 0.001}}, {x_m, y_m, 0.0005}, look);
         solid.solid = false;
         world.solids.push_back(solid);
@@ -80,10 +81,10 @@ void add_marks(World& world, const StraightScene& s) {
 
 void check(const StraightScene& s) {
     if (s.distance_m > 0.0 && s.width_m > 0.0 && s.height_m > 0.0 && s.side_walls_m >= 0.0) return;
-    throw std::invalid_argument("straight scene: distance_m = " + std::to_string(s.distance_m) +
-                                ", width_m = " + std::to_string(s.width_m) + ", height_m = " +
-                                std::to_string(s.height_m) + ": choose above 0; side_walls_m = " +
-                                std::to_string(s.side_walls_m) + ": choose 0 or more");
+    throw std::invalid_argument(
+        "straight scene: distance_m = " + std::to_string(s.distance_m) +
+        ", width_m = " + std::to_string(s.width_m) + ", height_m = " + std::to_string(s.height_m) +
+        ": choose above 0; side_walls_m = " + std::to_string(s.side_walls_m) + ": choose 0 or more");
 }
 
 }  // namespace

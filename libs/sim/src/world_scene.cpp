@@ -114,7 +114,8 @@ void WorldScene::add_quad(const std::array<Vector3d, 4>& corners_m, const std::a
     Part part;
     const Vector3d middle = (corners_m[0] + corners_m[1] + corners_m[2] + corners_m[3]) / 4.0;
     part.solid.T_world_solid.translation() = middle;
-    for (const Vector3d& corner : corners_m) part.radius_m = std::max(part.radius_m, (corner - middle).norm());
+    for (const Vector3d& corner : corners_m)
+        part.radius_m = std::max(part.radius_m, (corner - middle).norm());
     part.texture = texture_of(look, floor_grid);
     part.first_vertex = vertices_.size();
     part.first_index = {indices_.size(), indices_.size()};
@@ -139,7 +140,8 @@ void WorldScene::add_ground(const World& world) {
         const std::array<Vector2d, 4> uv = {-half, Vector2d(half.x(), -half.y()), half,
                                             Vector2d(-half.x(), half.y())};
         std::array<Vector3d, 4> corners;
-        for (std::size_t i = 0; i < 4; ++i) corners[i] = piece.T_world_ground * Vector3d(uv[i].x(), uv[i].y(), 0.0);
+        for (std::size_t i = 0; i < 4; ++i)
+            corners[i] = piece.T_world_ground * Vector3d(uv[i].x(), uv[i].y(), 0.0);
         add_quad(corners, uv, piece.look);
     }
     for (const GroundWall& wall : ground_walls(world)) {

@@ -99,7 +99,8 @@ std::string plane_model(const std::string& name, const std::string& pose, const 
                         const Look& look) {
     const std::string plane =
         "<geometry><plane><normal>0 0 1</normal><size>" + size + "</size></plane></geometry>";
-    return "    <model name=\"" + escaped(name) + "\">\n      <static>true</static>\n" + pose + "      <link name=\"link\">\n"
+    return "    <model name=\"" + escaped(name) + "\">\n      <static>true</static>\n" + pose +
+           "      <link name=\"link\">\n"
            "        <collision name=\"collision\">" +
            plane +
            "</collision>\n"

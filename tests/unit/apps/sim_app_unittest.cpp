@@ -17,6 +17,7 @@
 #include "flownav/replay/replay.h"
 #include "flownav/sim/generate_world.h"
 #include "flownav/sim/sdf_world.h"
+#include "flownav/sim/world_look.h"
 
 namespace flownav {
 namespace {
@@ -103,10 +104,32 @@ TEST(SimApp, AWorldOrPathThatCannotBeReadIsStatusTwo) {
 
 TEST(SimApp, WritesTheGeneratedWorld) {
     const fs::path file = test_folder() / "w.world";
-    const Outcome outcome = run({"--generate", "office", "--seed", "3", "--objects", "patterned", "--write-world", file.string()});
+    const Outcome outcome = run(
+        {"--generate", "office", "--seed", "3", "--objects", "patterned", "--write-world", file.string()});
     EXPECT_EQ(outcome.status, 0) << outcome.error;
     EXPECT_EQ(text_of(file), sim::to_sdf(sim::generate_world(sim::WorldKind::Office, 3)));
     EXPECT_EQ(run({"--generate", "hall", "--write-world", "/no/such/folder/w.world"}).status, 3);
+}
+
+TEST(SimApp, GeneratedWorldsLookLikeRealRoomsUnlessToldOtherwise) {
+    const fs::path file = test_folder() / "w.world";
+    const auto written = [&](const std::vector<std::string>& looks) {
+        std::vector<std::string> arguments = {"--generate", "office",        "--seed",
+                                              "3",          "--write-world", file.string()};
+        arguments.insert(arguments.end(), looks.begin(), looks.end());
+        EXPECT_EQ(run(arguments).status, 0);
+        return text_of(file);
+    };
+    sim::World real = sim::generate_world(sim::WorldKind::Office, 3);
+    sim::furnish_as_real(real, 3);
+    EXPECT_EQ(written({}), sim::to_sdf(real));
+    EXPECT_EQ(written({"--objects", "real"}), sim::to_sdf(real));
+    real.floor.surface = sim::Surface::Lino;
+    EXPECT_EQ(written({"--floor", "lino"}), sim::to_sdf(real));
+    EXPECT_EQ(written({"--objects", "plain"}).find("Patterned"), std::string::npos);
+    EXPECT_NE(run({"--generate", "office", "--objects", "shiny", "--write-world", "o"})
+                  .error.find("real, patterned"),
+              std::string::npos);
 }
 
 struct Recorded {

@@ -19,7 +19,8 @@ using Eigen::Vector3d;
 GroundPiece level(const Vector2d& low_m, const Vector2d& high_m, double height_m) {
     GroundPiece piece;
     piece.name = "piece";
-    piece.T_world_ground.translate(Vector3d((low_m.x() + high_m.x()) / 2, (low_m.y() + high_m.y()) / 2, height_m));
+    piece.T_world_ground.translate(
+        Vector3d((low_m.x() + high_m.x()) / 2, (low_m.y() + high_m.y()) / 2, height_m));
     piece.size_m = high_m - low_m;
     return piece;
 }
@@ -90,7 +91,8 @@ TEST(GroundWalls, OfAHoleFaceItsInside) {
 }
 
 TEST(GroundWalls, BetweenTwoTreadsGoFromOneToTheOther) {
-    const World world = world_of({level({1.0, -1.0}, {1.3, 1.0}, -0.17), level({1.3, -1.0}, {2.0, 1.0}, -0.34)});
+    const World world =
+        world_of({level({1.0, -1.0}, {1.3, 1.0}, -0.17), level({1.3, -1.0}, {2.0, 1.0}, -0.34)});
     int between = 0;
     for (const GroundWall& wall : ground_walls(world)) {
         if (std::abs(wall.left_m.x() - 1.3) > 1e-9 || std::abs(wall.right_m.x() - 1.3) > 1e-9) continue;
@@ -120,12 +122,12 @@ TEST(Overhang, BeginsWhereTheOutlinePassesTheEdge) {
 }
 
 TEST(Overhang, IsFoundOnEverySideOfTheRobot) {
-    EXPECT_TRUE(overhang(hole(), footprint, {2.24, 0.0, 0.0}));         // behind
+    EXPECT_TRUE(overhang(hole(), footprint, {2.24, 0.0, 0.0}));  // behind
     EXPECT_FALSE(overhang(hole(), footprint, {2.26, 0.0, 0.0}));
-    EXPECT_TRUE(overhang(hole(), footprint, {1.5, -1.19, 0.0}));        // on the left
+    EXPECT_TRUE(overhang(hole(), footprint, {1.5, -1.19, 0.0}));  // on the left
     EXPECT_FALSE(overhang(hole(), footprint, {1.5, -1.21, 0.0}));
-    EXPECT_TRUE(overhang(hole(), footprint, {1.5, 1.19, 0.0}));         // on the right
-    EXPECT_TRUE(overhang(hole(), footprint, {1.5, -1.24, M_PI / 2}));   // ahead, turned to the left
+    EXPECT_TRUE(overhang(hole(), footprint, {1.5, 1.19, 0.0}));        // on the right
+    EXPECT_TRUE(overhang(hole(), footprint, {1.5, -1.24, M_PI / 2}));  // ahead, turned to the left
     EXPECT_FALSE(overhang(hole(), footprint, {1.5, -1.26, M_PI / 2}));
 }
 
@@ -161,7 +163,8 @@ TEST(GroundClearance, AKerbOfFiveCentimetresIsTouchedAndAThresholdOfTwoIsNot) {
 TEST(GroundClearance, EdgesThatLeadDownAndRampsAreNotTouched) {
     EXPECT_TRUE(std::isinf(clearance_m(hole(), {0.5, 0.0, 0.0})));
     const World world = over_a_platform();
-    for (double x_m = 0.0; x_m < 10.0; x_m += 0.1) EXPECT_TRUE(std::isinf(clearance_m(world, {x_m, 0.0, 0.0}))) << x_m;
+    for (double x_m = 0.0; x_m < 10.0; x_m += 0.1)
+        EXPECT_TRUE(std::isinf(clearance_m(world, {x_m, 0.0, 0.0}))) << x_m;
     EXPECT_NEAR(clearance_m(world, {5.0, 2.5, 0.0}), 0.3, 1e-6);  // beside the platform
 }
 
@@ -277,7 +280,8 @@ TEST(GroundFlow, OfARampIsThatOfTheFloorWhileTheRobotDrivesUp) {
     const World world = over_a_platform();
     const Vector2d pixel(200.0, 170.0);
     const double along = std::cos(std::atan(rise_m / 3.0));
-    const auto ramp_flow = exact_flow(world, view_at(world, {2.0, 0.0, 0.0}), view_at(world, {2.1 , 0.0, 0.0}), pixel);
+    const auto ramp_flow =
+        exact_flow(world, view_at(world, {2.0, 0.0, 0.0}), view_at(world, {2.1, 0.0, 0.0}), pixel);
     const auto floor_flow = exact_flow({}, view_at({}, {}), view_at({}, {0.1 / along, 0.0, 0.0}), pixel);
     ASSERT_TRUE(ramp_flow && floor_flow);
     EXPECT_LT((ramp_flow->flow_px - floor_flow->flow_px).norm(), 0.1);

@@ -141,16 +141,17 @@ TEST(SdfWorld, OtherPlanesMeshesAndIncludesAreLeftOutWithAWarning) {
 }
 
 TEST(SdfWorld, PlanesAtOtherHeightsAndBoxesOfGroundArePiecesOfGround) {
-    const World world = load("ground",
-                             "<model name='step'><pose>2 1 -0.17 0 0 0.5</pose><link name='l'><collision name='c'>"
-                             "<geometry><plane><normal>0 0 1</normal><size>0.3 2</size></plane></geometry></collision>"
-                             "<visual name='v'><geometry><plane><normal>0 0 1</normal><size>0.3 2</size></plane>"
-                             "</geometry><material><script><uri>x</uri><name>flownav/Tiles 90 7</name></script>"
-                             "</material></visual></link></model>"
-                             "<model name='ground_ramp'><pose>5 0 0.1 0 -0.1 0</pose><link name='l'><collision name='c'>"
-                             "<geometry><box><size>2 1 0.4</size></box></geometry></collision></link></model>" +
-                                 post_model("post", "0 0 0.5 0 0 0"))
-                            .world;
+    const World world =
+        load("ground",
+             "<model name='step'><pose>2 1 -0.17 0 0 0.5</pose><link name='l'><collision name='c'>"
+             "<geometry><plane><normal>0 0 1</normal><size>0.3 2</size></plane></geometry></collision>"
+             "<visual name='v'><geometry><plane><normal>0 0 1</normal><size>0.3 2</size></plane>"
+             "</geometry><material><script><uri>x</uri><name>flownav/Tiles 90 7</name></script>"
+             "</material></visual></link></model>"
+             "<model name='ground_ramp'><pose>5 0 0.1 0 -0.1 0</pose><link name='l'><collision name='c'>"
+             "<geometry><box><size>2 1 0.4</size></box></geometry></collision></link></model>" +
+                 post_model("post", "0 0 0.5 0 0 0"))
+            .world;
     EXPECT_EQ(world.solids.size(), 1U);
     ASSERT_EQ(world.ground.size(), 2U);
     EXPECT_EQ(world.ground[0].name, "step");

@@ -33,7 +33,8 @@ TEST_P(RealWorld, HasThingsOfOneGreyAndKeepsItsWayThrough) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         const World world = real(GetParam(), seed);
         for (const Solid& solid : world.solids) {
-            EXPECT_TRUE(solid.look.surface == Surface::Plain || solid.look.surface == Surface::Lamp) << solid.name;
+            EXPECT_TRUE(solid.look.surface == Surface::Plain || solid.look.surface == Surface::Lamp)
+                << solid.name;
             EXPECT_GE(solid.look.grey, 0.0) << solid.name;
             EXPECT_LE(solid.look.grey, 255.0) << solid.name;
         }
@@ -122,7 +123,8 @@ TEST(GeneratedRamps, LeanByAtMostEightDegreesAndHaveNoStepBeyondThreeCentimetres
         double highest_m = 0.0;
         for (double x_m = 0.0; x_m < world.goal->x(); x_m += 0.05) {
             highest_m = std::max(highest_m, ground_height_m(world, {x_m, 0.0}));
-            EXPECT_FALSE(overhang(world, RobotModel{}.footprint_m, {x_m, 0.0, 0.0})) << world.name << ' ' << x_m;
+            EXPECT_FALSE(overhang(world, RobotModel{}.footprint_m, {x_m, 0.0, 0.0}))
+                << world.name << ' ' << x_m;
             EXPECT_GT(clearance(world, RobotModel{}, {x_m, 0.0, 0.0}, 0.0).distance_m, 0.1) << world.name;
         }
         EXPECT_GT(highest_m, 0.07) << world.name;

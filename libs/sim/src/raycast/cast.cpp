@@ -167,8 +167,8 @@ Hit cast(const std::vector<PlacedSolid>& solids, const Ground& ground, const std
     return hit;
 }
 
-Tangent tangent_at(const std::vector<PlacedSolid>& solids, const std::vector<GroundPiece>& ground, const Hit& hit,
-                   const Vector3d& point_m) {
+Tangent tangent_at(const std::vector<PlacedSolid>& solids, const std::vector<GroundPiece>& ground,
+                   const Hit& hit, const Vector3d& point_m) {
     if (hit.piece != bare_floor)
         return tangent_of_ground(ground[static_cast<std::size_t>(hit.piece)], hit, point_m);
     if (hit.solid < 0) return {Vector3d::UnitZ(), Vector3d::UnitX(), Vector3d::UnitY(), point_m.head<2>()};

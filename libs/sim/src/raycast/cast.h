@@ -55,8 +55,8 @@ struct Tangent {
     Eigen::Vector2d uv_m;
 };
 
-Tangent tangent_at(const std::vector<PlacedSolid>& solids, const std::vector<GroundPiece>& ground, const Hit& hit,
-                   const Eigen::Vector3d& point_m);
+Tangent tangent_at(const std::vector<PlacedSolid>& solids, const std::vector<GroundPiece>& ground,
+                   const Hit& hit, const Eigen::Vector3d& point_m);
 
 /// Rays of a view: the camera's position, and the direction of a level ray (x, y, 1).
 struct RayFrame {

@@ -36,11 +36,13 @@ Vector3d on_circle(int i) {
     return {std::cos(angle), std::sin(angle), 0.0};
 }
 
-/// Points of a shape whose hull throws its shadow, in its frame; `towards` is the direction of the light there.
+/// Points of a shape whose hull throws its shadow, in its frame; `towards` is the direction of the light
+/// there.
 std::vector<Vector3d> outline_of(const Box& box, const Vector3d& /*towards*/) {
     std::vector<Vector3d> points;
     for (unsigned i = 0; i < 8; ++i) {
-        const Vector3d sign((i & 1U) != 0 ? 0.5 : -0.5, (i & 2U) != 0 ? 0.5 : -0.5, (i & 4U) != 0 ? 0.5 : -0.5);
+        const Vector3d sign((i & 1U) != 0 ? 0.5 : -0.5, (i & 2U) != 0 ? 0.5 : -0.5,
+                            (i & 4U) != 0 ? 0.5 : -0.5);
         points.emplace_back(sign.cwiseProduct(box.size_m));
     }
     return points;
@@ -127,7 +129,8 @@ void FloorLight::add_shadow(const ShadowLight& light, const std::vector<Vector3d
     shadows_.push_back(std::move(shadow));
 }
 
-/// A level lamp has its mirror image below the floor; the spot is where the line of sight to it passes the floor.
+/// A level lamp has its mirror image below the floor; the spot is where the line of sight to it passes the
+/// floor.
 void FloorLight::add_spots(const World& world, double time_s, const Vector3d& eye_m) {
     const double gloss = gloss_of(world.floor.surface);
     if (gloss == 0.0 || eye_m.z() <= 0.0) return;
@@ -145,27 +148,30 @@ void FloorLight::add_spots(const World& world, double time_s, const Vector3d& ey
         const double across_m = std::hypot(lamp_sigma_m, blur_rad * distance_m);
         const double along_m = std::hypot(lamp_sigma_m, blur_rad * distance_m * distance_m / eye_m.z());
         const Vector2d along = sight_m.norm() > 1e-9 ? Vector2d(sight_m.normalized()) : Vector2d::UnitX();
-        spot.to_sigmas << along.x() / along_m, along.y() / along_m, -along.y() / across_m, along.x() / across_m;
+        spot.to_sigmas << along.x() / along_m, along.y() / along_m, -along.y() / across_m,
+            along.x() / across_m;
         spot.reach_m = reach_sigmas * along_m;
         spots_.push_back(spot);
     }
 }
 
-double FloorLight::lit(double grey, const Vector2d& at_m, const Vector2d& right_m, const Vector2d& down_m) const {
+double FloorLight::lit(double grey, const Vector2d& at_m, const Vector2d& right_m,
+                       const Vector2d& down_m) const {
     for (const FloorShadow& shadow : shadows_) {
         if (!shadow.extent_m.contains(at_m)) continue;
         double share = 1.0;
         for (const Vector3d& side : shadow.sides) {
             const Vector2d outward = side.head<2>();
-            const double width_m =
-                std::max({shadow.soft_m, std::abs(outward.dot(right_m)) + std::abs(outward.dot(down_m)), 1e-6});
+            const double width_m = std::max(
+                {shadow.soft_m, std::abs(outward.dot(right_m)) + std::abs(outward.dot(down_m)), 1e-6});
             share = std::min(share, 0.5 + (side.z() - outward.dot(at_m)) / width_m);
         }
         grey *= 1.0 - shadow.loss * std::max(share, 0.0);
     }
     for (const FloorSpot& spot : spots_) {
         const Vector2d off = spot.to_sigmas * (at_m - spot.centre_m);
-        if (off.squaredNorm() < reach_sigmas * reach_sigmas) grey += spot.grey * std::exp(-off.squaredNorm() / 2);
+        if (off.squaredNorm() < reach_sigmas * reach_sigmas)
+            grey += spot.grey * std::exp(-off.squaredNorm() / 2);
     }
     return grey;
 }

@@ -16,7 +16,8 @@ constexpr double wall_shade = 0.75;
 /// Look of the sides of a piece of ground.
 Look wall_look(const GroundPiece& piece);
 
-/// A shadow on the floor: a convex outline, as normals that point outward and their distances from the origin.
+/// A shadow on the floor: a convex outline, as normals that point outward and their distances from the
+/// origin.
 struct FloorShadow {
     std::vector<Eigen::Vector3d> sides;  ///< normal x, normal y, distance
     Eigen::AlignedBox2d extent_m;        ///< with the soft edge

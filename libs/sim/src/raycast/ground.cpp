@@ -42,7 +42,8 @@ PlanPiece plan_of(const GroundPiece& piece) {
     return plan;
 }
 
-std::optional<PieceStretch> stretch_in(const PlanPiece& piece, const Vector2d& from_m, const Vector2d& along) {
+std::optional<PieceStretch> stretch_in(const PlanPiece& piece, const Vector2d& from_m,
+                                       const Vector2d& along) {
     PieceStretch stretch{-endless, endless, 0, 0};
     for (int side = 0; side < 4; ++side) {
         const Vector2d& a = piece.corners_m[static_cast<std::size_t>(side)];
@@ -87,8 +88,8 @@ int Ground::piece_at(const Vector2d& at_m) const {
             inside = inside && cross(pieces_[i].corners_m[(k + 1) % 4] - a, at_m - a) >= 0.0;
         }
         if (!inside) continue;
-        if (highest == bare_floor || pieces_[i].height_at_m(at_m) >
-                                         pieces_[static_cast<std::size_t>(highest)].height_at_m(at_m))
+        if (highest == bare_floor ||
+            pieces_[i].height_at_m(at_m) > pieces_[static_cast<std::size_t>(highest)].height_at_m(at_m))
             highest = static_cast<int>(i);
     }
     return highest;
@@ -154,14 +155,14 @@ GroundHit Ground::meet_top(const Cover& cover, const Ray& ray, double from_t, do
     return hit;
 }
 
-/// The wall at a place where the ray runs into higher ground, from the sides that it crosses there. It belongs to
-/// the piece that begins, or to the hole that ends.
+/// The wall at a place where the ray runs into higher ground, from the sides that it crosses there. It
+/// belongs to the piece that begins, or to the hole that ends.
 GroundHit Ground::wall_of(const Cover& cover, const Vector2d& at_m, const Crossing* first,
                           const Crossing* last) const {
     const Crossing* wall = first;
     for (const Crossing* c = first; c != last; ++c) {
-        const bool highest =
-            c->enters && pieces_[static_cast<std::size_t>(c->piece)].height_at_m(at_m) >= height_m(cover, at_m);
+        const bool highest = c->enters && pieces_[static_cast<std::size_t>(c->piece)].height_at_m(at_m) >=
+                                              height_m(cover, at_m);
         if (highest) wall = c;
     }
     return {first->t, wall->piece, wall->side, !wall->enters};

@@ -18,7 +18,8 @@ struct PlanPiece {
     double height_at_m(const Eigen::Vector2d& at_m) const { return height_m + slope.dot(at_m); }
 };
 
-/// Stretch of a line from + t * along that lies within a piece, and the sides through which it enters and leaves.
+/// Stretch of a line from + t * along that lies within a piece, and the sides through which it enters and
+/// leaves.
 struct PieceStretch {
     double enter = 0.0;
     double leave = 0.0;

@@ -139,7 +139,8 @@ double ScenePainter::shade(const Hit& hit, const Vector2d& level_ray, const Vect
     const TextureFootprint footprint{tangent.uv_m, on_surface(right), on_surface(down)};
     const double grey = light_on(tangent.normal) * sampler_of(hit).grey(footprint);
     const Vector3d at_m = frame_.origin_m + hit.t * direction;
-    if (floor_light_.empty() || hit.piece != bare_floor || at_m.z() > mark_height_m || tangent.normal.z() < 0.99)
+    if (floor_light_.empty() || hit.piece != bare_floor || at_m.z() > mark_height_m ||
+        tangent.normal.z() < 0.99)
         return grey;
     return floor_light_.lit(grey, at_m.head<2>(), footprint.right_m, footprint.down_m);
 }

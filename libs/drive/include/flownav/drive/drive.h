@@ -20,27 +20,27 @@ enum class Outcome {
     Blocked,    ///< no way was found
     Collision,  ///< the robot touched an obstacle; only of a simulation
     Fell,       ///< the robot's outline was over an edge of its ground; only of a simulation
-    Timeout,  ///< time limit exceeded
-    Stopped,  ///< stop_wanted() returned true
-    Lost  ///< base or camera failed, or an exception was thrown
+    Timeout,    ///< time limit exceeded
+    Stopped,    ///< stop_wanted() returned true
+    Lost        ///< base or camera failed, or an exception was thrown
 };
 
 /// Returns the word for an outcome that result files use.
 const char* to_string(Outcome outcome);
 
 struct DriveOptions {
-    config::Config config;  ///< sections [map], [navigation] and [guard]
-    Pose2 start;  ///< in the frame of the goals
+    config::Config config;                 ///< sections [map], [navigation] and [guard]
+    Pose2 start;                           ///< in the frame of the goals
     std::vector<Eigen::Vector2d> goals_m;  ///< the last one is the goal
     /// Replaces `goals_m`: a way point fixed in the robot's frame.
     std::optional<Eigen::Vector2d> waypoint_robot_m;
     double timeout_s = 120.0;
-    double way_max_m = 1e9;  ///< length after which the drive ends as Reached; for waypoint_robot_m
-    double tick_s = 0.02;  ///< period of wheels, guard and motors
+    double way_max_m = 1e9;        ///< length after which the drive ends as Reached; for waypoint_robot_m
+    double tick_s = 0.02;          ///< period of wheels, guard and motors
     std::string navlog_directory;  ///< empty: none
     /// > 0: a watchdog thread stops the base when the loop hangs for this long; for real robots.
     double hung_s = 0.0;  ///< > 0: a thread stops the base when a tick takes longer; for real robots
-    std::function<bool()> stop_wanted;  ///< polled every tick; empty: never stops
+    std::function<bool()> stop_wanted;               ///< polled every tick; empty: never stops
     nav::NavigationStack::FaultInjection navigator;  ///< for tests: replaces the navigator's proposal
 };
 
@@ -50,7 +50,7 @@ struct DriveSample {
     Pose2 T_world_robot;  ///< true pose; valid when truth_known
     bool truth_known = false;
     Pose2 T_map_robot;  ///< estimate of the robot
-    Pose2 odometry;  ///< T_odom_robot of the wheels
+    Pose2 odometry;     ///< T_odom_robot of the wheels
     MotionCommand motion;
     MotionCommand proposed;
     MotionCommand command;
@@ -63,9 +63,9 @@ struct DriveResult {
     Outcome outcome = Outcome::Timeout;
     std::string why;  ///< the touched obstacle, or the reason of the outcome; empty: reached
     double time_s = 0.0;
-    double path_m = 0.0;  ///< length of the true way in a simulation, of the estimated way otherwise
+    double path_m = 0.0;           ///< length of the true way in a simulation, of the estimated way otherwise
     double min_clearance_m = 0.0;  ///< simulation only
-    double contact_speed_mps = 0.0;  ///< simulation only, after a collision or a fall
+    double contact_speed_mps = 0.0;      ///< simulation only, after a collision or a fall
     std::vector<nav::GuardEvent> stops;  ///< stops and slow-downs; times since the start of the drive
     std::vector<DriveSample> samples;
 };

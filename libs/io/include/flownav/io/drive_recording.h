@@ -22,8 +22,8 @@ class DriveRecording {
     void write(const Field& field);
     /// Writes a CObservationOdometry labelled ODOMETRY.
     void write_odometry(double timestamp_s, const Pose2& T_odom_robot);
-    /// Writes a CObservationRobotPose labelled GROUND_TRUTH. `T_flat_robot`: height and tilt of the robot, in the
-    /// frame that T_world_robot has on the plane z = 0.
+    /// Writes a CObservationRobotPose labelled GROUND_TRUTH. `T_flat_robot`: height and tilt of the robot, in
+    /// the frame that T_world_robot has on the plane z = 0.
     void write_truth(double timestamp_s, const Pose2& T_world_robot,
                      const Eigen::Isometry3d& T_flat_robot = Eigen::Isometry3d::Identity());
 

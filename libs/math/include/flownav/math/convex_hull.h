@@ -6,7 +6,8 @@
 
 namespace flownav {
 
-/// Convex hull, counter-clockwise (Andrew's monotone chain). Fewer than 3 corners when the points lie on a line.
+/// Convex hull, counter-clockwise (Andrew's monotone chain). Fewer than 3 corners when the points lie on a
+/// line.
 inline Polygon convex_hull(std::vector<Eigen::Vector2d> points) {
     using Eigen::Vector2d;
     if (points.size() < 3) return points;

@@ -6,8 +6,8 @@
 
 namespace flownav::sim {
 
-/// An ideal 2D lidar above the axis the robot turns about: exact ranges, all beams at one instant. Its plane is
-/// level, also on a ramp.
+/// An ideal 2D lidar above the axis the robot turns about: exact ranges, all beams at one instant. Its plane
+/// is level, also on a ramp.
 struct LidarParams {
     double height_m = 0.3;  ///< of its plane above the ground of the axis
     double field_of_view_deg = 270.0;

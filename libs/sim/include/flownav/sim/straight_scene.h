@@ -31,8 +31,8 @@ struct StraightScene {
     std::optional<ShadowLight> shadow_light;
 };
 
-/// The world of a scene: start at the origin, goal 2 m beyond the thing. Throws std::invalid_argument when a length
-/// is out of range.
+/// The world of a scene: start at the origin, goal 2 m beyond the thing. Throws std::invalid_argument when a
+/// length is out of range.
 World straight_scene(const StraightScene& scene);
 
 }  // namespace flownav::sim

@@ -23,9 +23,10 @@ const char* to_string(ObjectLook look);
 /// Changes the look of all solids but lamps.
 void set_objects(World& world, ObjectLook look, std::uint64_t seed);
 
-/// Makes a textured world look like real rooms: every solid has one grey. In a world with walls a third of them get
-/// skirting boards, some a door with a frame; tape, paper and one-colour mats lie on the floor; lamps shine in it,
-/// and shadows are soft. In a world without walls shadows are those of the sun. The same seed gives the same world.
+/// Makes a textured world look like real rooms: every solid has one grey. In a world with walls a third of
+/// them get skirting boards, some a door with a frame; tape, paper and one-colour mats lie on the floor;
+/// lamps shine in it, and shadows are soft. In a world without walls shadows are those of the sun. The same
+/// seed gives the same world.
 void furnish_as_real(World& world, std::uint64_t seed);
 
 /// Surfaces of floors by the words of command lines: carpet, tiles, lino, plain, stoneware, marbled.
