@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flownav/sim/ground.h"
 #include "flownav/sim/random.h"
 #include "flownav/sim/world_look.h"
 
@@ -103,14 +104,33 @@ class Furnisher {
             true);
     }
 
+    /// Whether a rectangle lies on the bare floor with all corners.
+    bool lies_on_floor(const Pose2& at, const Vector2d& size_m) const {
+        const Vector2d middle(at.x_m, at.y_m);
+        for (const double x : {-0.5, 0.5}) {
+            for (const double y : {-0.5, 0.5}) {
+                const Vector2d corner = transform(at, Vector2d(x * size_m.x(), y * size_m.y()));
+                if (ground_height_m(world_, corner) != 0.0 || ground_steps_m(world_, middle, corner) != 0.0)
+                    return false;
+            }
+        }
+        return ground_height_m(world_, middle) == 0.0;
+    }
+
+    /// Left out when no place for it is found.
     void add_mark(const std::string& name, const Eigen::AlignedBox2d& area, const Vector2d& size_m,
                   const Look& look) {
-        Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-        const double x_m = random_.uniform(area.min().x(), area.max().x());
-        const double y_m = random_.uniform(area.min().y(), area.max().y());
-        pose.translate(Vector3d(x_m, y_m, mark_thickness_m / 2));
-        pose.rotate(Eigen::AngleAxisd(random_.uniform(-M_PI, M_PI), Vector3d::UnitZ()));
-        add(name, {size_m.x(), size_m.y(), mark_thickness_m}, pose, look, false);
+        constexpr int attempts = 20;
+        for (int i = 0; i < attempts; ++i) {
+            const double x_m = random_.uniform(area.min().x(), area.max().x());
+            const double y_m = random_.uniform(area.min().y(), area.max().y());
+            const Pose2 at{x_m, y_m, random_.uniform(-M_PI, M_PI)};
+            if (!lies_on_floor(at, size_m)) continue;
+            Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+            pose.translate(Vector3d(x_m, y_m, mark_thickness_m / 2));
+            pose.rotate(Eigen::AngleAxisd(at.yaw_rad, Vector3d::UnitZ()));
+            return add(name, {size_m.x(), size_m.y(), mark_thickness_m}, pose, look, false);
+        }
     }
 
     void add_marks(const Eigen::AlignedBox2d& area) {

@@ -80,6 +80,20 @@ TEST(WorldLook, WhatLiesOnTheFloorIsDrivenOver) {
     }
 }
 
+TEST(WorldLook, NothingLiesOverAHoleOrOnARamp) {
+    for (const WorldKind kind : {WorldKind::Stairs, WorldKind::Ramp}) {
+        for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+            const World world = real(kind, seed);
+            EXPECT_GE(count(world, "tape") + count(world, "mat"), 1) << world.name;
+            for (const Solid& solid : world.solids) {
+                if (solid.name.rfind("mat", 0) != 0) continue;
+                EXPECT_EQ(ground_height_m(world, solid.T_world_solid.translation().head<2>()), 0.0)
+                    << world.name;
+            }
+        }
+    }
+}
+
 TEST(WorldLook, ForestsHaveTheShadowsOfTheSunAndNoLamps) {
     const World world = real(WorldKind::Forest, 1);
     EXPECT_EQ(count(world, "lamp"), 0);

@@ -20,12 +20,12 @@ double gloss_of(Surface surface) {
     switch (surface) {
         case Surface::Tiles:
         case Surface::Stoneware:
-            return 0.45;
+            return 0.35;
         case Surface::Lino:
         case Surface::Marbled:
-            return 0.35;
-        case Surface::Plain:
             return 0.25;
+        case Surface::Plain:
+            return 0.20;
         default:
             return 0.0;
     }
