@@ -233,6 +233,19 @@ TEST(SimApp, WarnsWhenThePathGoesThroughSomething) {
     EXPECT_NE(outcome.error.find("goes through ball"), std::string::npos) << outcome.error;
 }
 
+TEST(SimApp, WarnsWhenThePathGoesOverAnEdge) {
+    const fs::path folder = test_folder();
+    std::ofstream(folder / "edge.world")
+        << "<sdf version='1.9'><world name='edge'><model name='pit'><pose>1 0 -0.5 0 0 0</pose><link "
+           "name='l'>"
+           "<collision name='c'><geometry><plane><normal>0 0 1</normal><size>1 1</size></plane></geometry>"
+           "</collision></link></model></world></sdf>";
+    const Outcome outcome = run({(folder / "edge.world").string(), "--script", "forward 0.4", "--width", "64",
+                                 "--height", "48", "--output", (folder / "d.rawlog").string(), "--quiet"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.error.find("goes over an edge of 0.5 m"), std::string::npos) << outcome.error;
+}
+
 TEST(SimApp, AnOutputThatCannotBeWrittenIsStatusThree) {
     const Outcome outcome = run(small_drive("/no/such/folder/drive.rawlog"));
     EXPECT_EQ(outcome.status, 3);
