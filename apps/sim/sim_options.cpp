@@ -125,6 +125,9 @@ void take_world(Arguments& a, SimOptions& options) {
         options.warnings = std::move(loaded.warnings);
     }
     set_looks(a, options.world);
+    const RobotModel robot;
+    if (options.world.shadow_light)
+        options.world.shadow_light->robot = sim::ShadowBody{robot.footprint_m, robot.height_m};
 }
 
 std::optional<sim::TimedPath> path_of(Arguments& a, const Pose2& start) {

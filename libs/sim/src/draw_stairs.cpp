@@ -102,15 +102,16 @@ void draw_stair_ahead(World& world, WorldBuilder& builder, Random& random) {
     const double end_m = edge_m + stairs_down(world, {edge_m, 0.0, 0.0}, 2 * half_m, steps, 0.8,
                                               builder.look(world.floor.surface, 90, 150));
     const double far_m = side * (half_m + random.uniform(7.0, 8.0));
+    const double behind_m = side * (half_m + WorldBuilder::wall_thickness_m);  // where walls do not overlap
     const auto wall = [&](const Vector2d& a, const Vector2d& b) {
         builder.wall(side > 0 ? a : b, side > 0 ? b : a);
     };
     wall({-1.2, -side * half_m}, {end_m, -side * half_m});
     wall({end_m, -side * half_m}, {end_m, side * half_m});
     wall({end_m, side * half_m}, {branch_m + branch_half_m, side * half_m});
-    wall({branch_m + branch_half_m, side * half_m}, {branch_m + branch_half_m, far_m});
+    wall({branch_m + branch_half_m, behind_m}, {branch_m + branch_half_m, far_m});
     wall({branch_m + branch_half_m, far_m}, {branch_m - branch_half_m, far_m});
-    wall({branch_m - branch_half_m, far_m}, {branch_m - branch_half_m, side * half_m});
+    wall({branch_m - branch_half_m, far_m}, {branch_m - branch_half_m, behind_m});
     wall({branch_m - branch_half_m, side * half_m}, {-1.2, side * half_m});
     wall({-1.2, side * half_m}, {-1.2, -side * half_m});
     world.start = {};
