@@ -135,12 +135,13 @@ TEST(NavApp, TheTimeBeingOverIsAStatusOfItsOwnAndEverythingIsWritten) {
 }
 
 TEST(NavApp, ARobotThatFallsEndsWithTheStatusOfACollision) {
-    const fs::path world = folder() / "edge.world";
+    const fs::path out = folder();
+    const fs::path world = out / "edge.world";
     std::ofstream(world)
         << "<sdf version='1.9'><world name='edge'><model name='pit'><pose>2 0 -1 0 0 0</pose>"
            "<link name='l'><collision name='c'><geometry><plane><normal>0 0 1</normal>"
            "<size>2 9</size></plane></geometry></collision></link></model></world></sdf>";
-    const fs::path file = folder() / "result.json";
+    const fs::path file = out / "result.json";
     const AppOutcome result = run({"--world", world.string(), "--goal", "4,0", "--sensor", "lidar",
                                    "--timeout-s", "20", "--result", file.string()});
     EXPECT_EQ(result.status, 5) << result.error << result.out;
