@@ -40,7 +40,7 @@ if newer "$out/nav/report.html" "$apps/nav/flownav-nav"; then
     echo "The robot has been to its goal already."
 else
     echo "Driving a robot to its goal ..."
-    "$apps/nav/flownav-nav" --generate hall --seed 3 --output "$out/nav"
+    "$apps/nav/flownav-nav" --generate hall --seed 3 --objects patterned --output "$out/nav"
 fi
 
 cat <<END

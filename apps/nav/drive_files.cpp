@@ -27,7 +27,7 @@ std::string result_json(const NavOptions& options, const drive::DriveResult& res
     json["why"] = result.why;
     json["time_s"] = rounded(result.time_s);
     json["path_m"] = rounded(result.path_m);
-    if (result.outcome == drive::Outcome::Collision)
+    if (result.outcome == drive::Outcome::Collision || result.outcome == drive::Outcome::Fell)
         json["contact_speed_mps"] = rounded(result.contact_speed_mps);
     if (options.reference_path_m > 0.0) json["score"] = rounded(barn_score(result, options.reference_path_m));
     if (options.robot == "sim") {

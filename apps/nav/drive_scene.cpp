@@ -42,7 +42,7 @@ report::DriveScene drive_scene(const drive::SimulatedDriveOptions& options,
     report::DriveScene scene;
     scene.footprint_m = options.config.navigation.robot.footprint_m;
     scene.start = options.start;
-    scene.touched = result.outcome == drive::Outcome::Collision;
+    scene.touched = result.outcome == drive::Outcome::Collision || result.outcome == drive::Outcome::Fell;
     for (const drive::DriveSample& sample : result.samples) {
         scene.believed.push_back(sample.T_map_robot);
         if (sample.truth_known) scene.true_way.push_back(sample.T_world_robot);

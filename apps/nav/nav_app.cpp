@@ -27,6 +27,7 @@ int status_of(drive::Outcome outcome) {
         case drive::Outcome::Blocked:
             return 4;
         case drive::Outcome::Collision:
+        case drive::Outcome::Fell:
             return 5;
         case drive::Outcome::Timeout:
             return 6;
@@ -52,7 +53,9 @@ class Onlooker : public drive::DriveObserver {
     void on_odometry(double timestamp_s, const Pose2& pose) override {
         recorder_.on_odometry(timestamp_s, pose);
     }
-    void on_truth(double timestamp_s, const Pose2& pose) override { recorder_.on_truth(timestamp_s, pose); }
+    void on_truth(double timestamp_s, const Pose2& pose, const Eigen::Isometry3d& T_flat_robot) override {
+        recorder_.on_truth(timestamp_s, pose, T_flat_robot);
+    }
     void on_decision(const drive::DriveSample& sample, const nav::NavigationStack& stack) override {
         recorder_.on_decision(sample, stack);
         if (quiet_ || sample.time_s < next_progress_s_) return;

@@ -13,7 +13,7 @@ The robot and where it goes
   --camera CAM.ini         its camera: a section of rawlog-grabber's with driver = CFlowObstacleSensor. Its
                            keys hold before --config and --set. A rawlog, a folder or a video plays a recording
   --world FILE.world       a world for it, in Gazebo's format (SDF)
-  --generate KIND          a generated world: corridor, office, hall or forest; --seed picks one
+  --generate KIND          a generated world: corridor, office, hall, forest, stairs or ramp; --seed picks one
   --start X,Y,YAW_DEG      where it starts; default: as the world says, or 0,0,0
   --goal X,Y               where it is to go, in the world's frame (m); default: as the world says
   --waypoints FILE         a text file of way points on the way there, x y on each line
@@ -38,7 +38,9 @@ The simulated camera; its height, pitch and place are camera.height_m, camera.pi
   --noise GREY             standard deviation of its noise, default 2
   --vibration-deg D        standard deviation of its pitch, default 0
   --supersampling N        samples a pixel in either direction, 1..4, default 2; 1 takes a third of the time
-  --objects patterned|faint|plain   how everything but the floor looks; default: as the world says
+  --objects real|patterned|faint|plain   how everything but the floor looks; default: real in generated worlds,
+                           else as the world says
+  --floor carpet|tiles|lino|plain|stoneware|marbled   surface of the floor; default: as the world says
 
 What is kept
   --output DIR             everything about the drive, of a real robot too: result.json, drive.png, drive.csv,
@@ -57,7 +59,7 @@ Exit status:
   1  bad usage or configuration; nothing was written
   2  a world or a list of way points could not be read, or robot or camera were lost
   3  output could not be written
-  4  blocked: no way was found        5  something was touched        6  the time was over
+  4  blocked: no way was found        5  something was touched, or the robot fell    6  the time was over
   7  stopped by SIGINT, SIGTERM or SIGHUP
 When a drive ends, however it ends, the robot is told to stop and what was recorded is written.
 )";

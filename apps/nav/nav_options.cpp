@@ -16,6 +16,7 @@
 #include "flownav/nav/tcp_robot.h"
 #include "flownav/sim/generate_world.h"
 #include "flownav/sim/sdf_world.h"
+#include "flownav/sim/world_look.h"
 
 namespace flownav {
 namespace {
@@ -111,6 +112,7 @@ struct Arguments {
     TCLAP::ValueArg<int> supersampling{"", "supersampling", "", false, 2, "N", command};
     Number vibration{"", "vibration-deg", "", false, 0.0, "D", command};
     Text objects{"", "objects", "", false, "", "WORD", command};
+    Text floor{"", "floor", "", false, "", "WORD", command};
     Text output{"", "output", "", false, "", "DIR", command};
     Text result{"", "result", "", false, "", "FILE.json", command};
     Text record{"", "record", "", false, "", "FILE.rawlog", command};
@@ -129,12 +131,9 @@ sim::World make_world(Arguments& a, std::ostream& error) {
     if (a.world.isSet() == a.generate.isSet())
         throw config::ConfigError("needs either --world or --generate");
     if (a.generate.isSet()) {
-        using Kind = sim::WorldKind;
-        return sim::generate_world(one_of<Kind>("generate", a.generate.getValue(),
-                                                {{"corridor", Kind::Corridor},
-                                                 {"office", Kind::Office},
-                                                 {"hall", Kind::Hall},
-                                                 {"forest", Kind::Forest}}),
+        std::vector<std::pair<std::string, sim::WorldKind>> kinds;
+        for (const sim::WorldKind kind : sim::all_world_kinds) kinds.emplace_back(to_string(kind), kind);
+        return sim::generate_world(one_of<sim::WorldKind>("generate", a.generate.getValue(), kinds),
                                    seed_of(a));
     }
     sim::LoadedWorld loaded = sim::read_sdf_world(a.world.getValue());
@@ -173,11 +172,6 @@ sim::CameraSimParams make_camera(Arguments& a, const config::CameraConfig& confi
     return params;
 }
 
-/// Gives everything but the floor another surface.
-void set_surface(sim::World& world, sim::Surface surface) {
-    for (sim::Solid& solid : world.solids) solid.look.surface = surface;
-}
-
 void set_goals(Arguments& a, drive::SimulatedDriveOptions& drive) {
     drive.start = drive.world.start;
     if (a.start.isSet()) {
@@ -203,10 +197,9 @@ void set_goals(Arguments& a, drive::SimulatedDriveOptions& drive) {
 /// What only the simulation knows must not be ignored in silence.
 void refuse_simulation_options(Arguments& a) {
     const std::initializer_list<TCLAP::Arg*> simulated = {
-        &a.world,   &a.generate,       &a.success_radius, &a.sensor,
-        &a.seed,    &a.width,          &a.height,         &a.fov,
-        &a.rate,    &a.interlaced,     &a.noise,          &a.vibration,
-        &a.objects, &a.reference_path, &a.realtime,       &a.supersampling};
+        &a.world,   &a.generate, &a.success_radius, &a.sensor,     &a.seed,         &a.width,
+        &a.height,  &a.fov,      &a.rate,           &a.interlaced, &a.noise,        &a.vibration,
+        &a.objects, &a.floor,    &a.reference_path, &a.realtime,   &a.supersampling};
     for (const TCLAP::Arg* argument : simulated) {
         if (argument->isSet())
             throw config::ConfigError("--" + argument->getName() + ": only with --robot sim");
@@ -262,11 +255,16 @@ void read_drive(Arguments& a, NavOptions& options) {
 
 void read_world(Arguments& a, drive::SimulatedDriveOptions& drive, std::ostream& error) {
     drive.world = make_world(a, error);
-    if (!a.objects.isSet()) return;
-    set_surface(drive.world, one_of<sim::Surface>("objects", a.objects.getValue(),
-                                                  {{"patterned", sim::Surface::Patterned},
-                                                   {"faint", sim::Surface::Faint},
-                                                   {"plain", sim::Surface::Plain}}));
+    if (a.objects.isSet() || a.generate.isSet()) {
+        using Look = sim::ObjectLook;
+        std::vector<std::pair<std::string, Look>> looks;
+        for (const Look look : {Look::Real, Look::Patterned, Look::Faint, Look::Plain})
+            looks.emplace_back(to_string(look), look);
+        const std::string word = a.objects.isSet() ? a.objects.getValue() : to_string(Look::Real);
+        set_objects(drive.world, one_of<Look>("objects", word, looks), seed_of(a));
+    }
+    if (a.floor.isSet())
+        drive.world.floor.surface = one_of<sim::Surface>("floor", a.floor.getValue(), sim::floor_surfaces());
 }
 
 void read_outputs(Arguments& a, NavOptions& options) {

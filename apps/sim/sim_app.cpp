@@ -8,9 +8,11 @@
 
 #include "flownav/cli/exit_status.h"
 #include "flownav/cli/progress.h"
+#include "flownav/config/config_value.h"
 #include "flownav/io/drive_recording.h"
 #include "flownav/io/output_file.h"
 #include "flownav/sim/collision.h"
+#include "flownav/sim/ground.h"
 #include "flownav/sim/sdf_world.h"
 #include "sim_options.h"
 
@@ -21,14 +23,17 @@ int images_of(const SimOptions& options) {
     return static_cast<int>(std::floor(options.path->end_s() * options.camera.rate_hz + 1e-6)) + 1;
 }
 
-/// Names the first object that the robot collides with; empty without collision.
+/// Names the object that the robot collides with, or the edge it is over; empty when it is free.
 std::string contact(const SimOptions& options, const Pose2& pose, double time_s) {
-    const sim::Clearance clear = sim::clearance(options.world, RobotModel{}, pose, time_s);
-    return clear.distance_m > 0.0 ? "" : clear.nearest;
+    const RobotModel robot;
+    const sim::Clearance clear = sim::clearance(options.world, robot, pose, time_s);
+    if (clear.distance_m <= 0.0) return "through " + clear.nearest;
+    const auto edge = sim::overhang(options.world, robot.footprint_m, pose);
+    return edge ? "over an edge of " + config::format_number(edge->depth_m) + " m" : "";
 }
 
 void warn_of(const std::string& touched, double time_s, std::ostream& error) {
-    error << "flownav-sim: warning: after " << time_s << " s the path goes through " << touched << '\n';
+    error << "flownav-sim: warning: after " << time_s << " s the path goes " << touched << '\n';
 }
 
 void record(const SimOptions& options, cli::Progress& progress, std::ostream& error) {
@@ -44,9 +49,10 @@ void record(const SimOptions& options, cli::Progress& progress, std::ostream& er
         const Field field = camera.take(i, pose, time_s);
         const Pose2 odometry = wheels.update(pose);
         if (writing.valid()) writing.get();
-        writing = std::async(std::launch::async, [&recording, field, odometry, pose] {
+        const Eigen::Isometry3d T_flat_robot = sim::ride_on_ground(options.world, pose);
+        writing = std::async(std::launch::async, [&recording, field, odometry, pose, T_flat_robot] {
             recording.write_odometry(field.timestamp_s, odometry);
-            recording.write_truth(field.timestamp_s, pose);
+            recording.write_truth(field.timestamp_s, pose, T_flat_robot);
             recording.write(field);
         });
         if (touched.empty()) {

@@ -10,7 +10,10 @@ flownav-sim --generate KIND --seed N --script STEPS --output F.rawlog [--write-w
 
 The world
   WORLD.world              a world in Gazebo's format (SDF)
-  --generate KIND          instead: a generated one, corridor, office, hall or forest
+  --generate KIND          instead: a generated one, corridor, office, hall, forest, stairs or ramp
+  --objects real|patterned|faint|plain   how everything but the floor looks; default: real in generated worlds,
+                           else as the world says
+  --floor carpet|tiles|lino|plain|stoneware|marbled   surface of the floor; default: as the world says
   --seed N                 of everything that is drawn by lot: world, noise of camera and wheels; default 1
   --write-world F.world    saves the world; without --script and --path that is all
 

@@ -1,5 +1,6 @@
 #include "sim_options.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -12,6 +13,7 @@
 #include "flownav/sim/drive_script.h"
 #include "flownav/sim/generate_world.h"
 #include "flownav/sim/sdf_world.h"
+#include "flownav/sim/world_look.h"
 #include "sim_help.h"
 
 namespace flownav {
@@ -30,6 +32,8 @@ struct Arguments {
     TCLAP::UnlabeledMultiArg<std::string> worlds{"world", "", false, "WORLD.world", command};
     Text generate{"", "generate", "", false, "", "KIND", command};
     TCLAP::ValueArg<int> seed{"", "seed", "", false, 1, "N", command};
+    Text objects{"", "objects", "", false, "", "WORD", command};
+    Text floor{"", "floor", "", false, "", "WORD", command};
     Text write_world{"", "write-world", "", false, "", "F.world", command};
     Text path{"", "path", "", false, "", "FILE.csv", command};
     Text script{"", "script", "", false, "", "STEPS", command};
@@ -82,24 +86,48 @@ std::string complaint(Arguments& a) {
     return "";
 }
 
-sim::WorldKind kind_named(const std::string& word) {
-    using Kind = sim::WorldKind;
+template <class Items, class Name>
+auto named(const std::string& option, const std::string& word, const Items& items, const Name& name_of) {
     std::string known;
-    for (const Kind kind : {Kind::Corridor, Kind::Office, Kind::Hall, Kind::Forest}) {
-        if (word == to_string(kind)) return kind;
-        known += std::string(known.empty() ? "" : ", ") + to_string(kind);
+    for (const auto& item : items) {
+        if (word == name_of(item)) return item;
+        known += std::string(known.empty() ? "" : ", ") + name_of(item);
     }
-    throw config::ConfigError("--generate " + word + ": is none of " + known);
+    throw config::ConfigError("--" + option + ' ' + word + ": is none of " + known);
+}
+
+const char* word_of(sim::WorldKind kind) {
+    return to_string(kind);
+}
+
+/// Generated worlds look like real rooms unless told otherwise; others look as their file says.
+void set_looks(Arguments& a, sim::World& world) {
+    using Look = sim::ObjectLook;
+    constexpr std::array<Look, 4> looks = {Look::Real, Look::Patterned, Look::Faint, Look::Plain};
+    const std::string word = a.objects.getValue();
+    if (a.objects.isSet() || a.generate.isSet()) {
+        const auto word_of_look = [](Look look) { return to_string(look); };
+        set_objects(world, word.empty() ? Look::Real : named("objects", word, looks, word_of_look),
+                    seed_of(a));
+    }
+    if (!a.floor.isSet()) return;
+    const auto word_of_floor = [](const auto& floor) { return floor.first; };
+    world.floor.surface = named("floor", a.floor.getValue(), sim::floor_surfaces(), word_of_floor).second;
 }
 
 void take_world(Arguments& a, SimOptions& options) {
     if (a.generate.isSet()) {
-        options.world = sim::generate_world(kind_named(a.generate.getValue()), seed_of(a));
-        return;
+        const sim::WorldKind kind = named("generate", a.generate.getValue(), sim::all_world_kinds, word_of);
+        options.world = sim::generate_world(kind, seed_of(a));
+    } else {
+        sim::LoadedWorld loaded = sim::read_sdf_world(a.worlds.getValue().front());
+        options.world = std::move(loaded.world);
+        options.warnings = std::move(loaded.warnings);
     }
-    sim::LoadedWorld loaded = sim::read_sdf_world(a.worlds.getValue().front());
-    options.world = std::move(loaded.world);
-    options.warnings = std::move(loaded.warnings);
+    set_looks(a, options.world);
+    const RobotModel robot;
+    if (options.world.shadow_light)
+        options.world.shadow_light->robot = sim::ShadowBody{robot.footprint_m, robot.height_m};
 }
 
 std::optional<sim::TimedPath> path_of(Arguments& a, const Pose2& start) {

@@ -70,8 +70,8 @@ class RealDrive(unittest.TestCase):
         shutil.rmtree(cls.WORK, ignore_errors=True)
         cls.WORK.mkdir(parents=True)
         cls.recording = cls.WORK / "camera.rawlog"
-        subprocess.run([cls.SIM, "--generate", "corridor", "--seed", "1", "--script", "wait 1; forward 1.2; wait 8",
-                        "--width", "160", "--height", "120", "--output", cls.recording, "--quiet"], check=True)
+        subprocess.run([cls.SIM, "--generate", "corridor", "--seed", "1", "--objects", "patterned", "--script",
+                        "wait 1; forward 1.2; wait 8", "--width", "160", "--height", "120", "--output", cls.recording, "--quiet"], check=True)
 
     def camera(self, more=""):
         ini = self.WORK / f"{self.id().rsplit('.', 1)[-1]}.ini"

@@ -124,6 +124,7 @@ class Loop {
             sample.T_world_robot = truth_.T_world_robot;
             sample.motion = truth_.motion;
             sample.clearance_m = truth_.clearance_m;
+            sample.T_flat_robot = truth_.T_flat_robot;
             result_.min_clearance_m = std::min(result_.min_clearance_m, truth_.clearance_m);
         }
         const Pose2& pose = sample.truth_known ? sample.T_world_robot : sample.T_map_robot;
@@ -140,6 +141,9 @@ class Loop {
         const std::string sensor_end = robot_.feed.end();
         if (!truth_.touched.empty()) {
             end(Outcome::Collision, "touched " + truth_.touched);
+            result_.contact_speed_mps = std::abs(truth_.motion.v_mps);
+        } else if (!truth_.fell.empty()) {
+            end(Outcome::Fell, "over an edge at " + truth_.fell);
             result_.contact_speed_mps = std::abs(truth_.motion.v_mps);
         } else if (is_at_goal() || result_.path_m >= options_.way_max_m) {
             end(Outcome::Reached, "");
@@ -181,7 +185,7 @@ class Loop {
 }  // namespace
 
 const char* to_string(Outcome outcome) {
-    constexpr std::array<const char*, 6> words = {"reached", "blocked", "collision",
+    constexpr std::array<const char*, 7> words = {"reached", "blocked", "collision", "fell",
                                                   "timeout", "stopped", "lost"};
     return words[static_cast<std::size_t>(outcome)];
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <optional>
 
 #include "background_writer.h"
@@ -17,6 +18,13 @@ constexpr std::size_t waiting_max = 100;  // limit of waiting jobs, a few second
 std::string columns(const Pose2& pose) {
     return cli::fixed_text(pose.x_m, 4) + ',' + cli::fixed_text(pose.y_m, 4) + ',' +
            cli::fixed_text(pose.yaw_rad, 5);
+}
+
+/// Pitch > 0 looks down, as of a camera.
+std::string true_columns(const DriveSample& sample) {
+    const Eigen::Vector3d forward = sample.T_flat_robot.linear().col(0);
+    return columns(sample.T_world_robot) + ',' + cli::fixed_text(sample.T_flat_robot.translation().z(), 4) +
+           ',' + cli::fixed_text(std::asin(0.0 - forward.z()), 5);
 }
 
 std::string columns(const MotionCommand& motion) {
@@ -59,9 +67,10 @@ void DriveRecorder::on_odometry(double timestamp_s, const Pose2& T_odom_robot) {
     impl_->writer.push([=] { impl_->rawlog->write_odometry(timestamp_s, T_odom_robot); });
 }
 
-void DriveRecorder::on_truth(double timestamp_s, const Pose2& T_world_robot) {
+void DriveRecorder::on_truth(double timestamp_s, const Pose2& T_world_robot,
+                             const Eigen::Isometry3d& T_flat_robot) {
     if (!impl_->rawlog) return;
-    impl_->writer.push([=] { impl_->rawlog->write_truth(timestamp_s, T_world_robot); });
+    impl_->writer.push([=] { impl_->rawlog->write_truth(timestamp_s, T_world_robot, T_flat_robot); });
 }
 
 void DriveRecorder::on_decision(const DriveSample& sample, const nav::NavigationStack& stack) {
@@ -81,8 +90,9 @@ int DriveRecorder::fields_left_out() const {
 }
 
 std::string drive_csv_header() {
-    return "time_s,true_x_m,true_y_m,true_yaw_rad,map_x_m,map_y_m,map_yaw_rad,odom_x_m,odom_y_m,"
-           "odom_yaw_rad,v_mps,omega_radps,proposed_v_mps,proposed_omega_radps,command_v_mps,"
+    return "time_s,true_x_m,true_y_m,true_yaw_rad,true_z_m,true_pitch_rad,map_x_m,map_y_m,map_yaw_rad,"
+           "odom_x_m,odom_y_m,odom_yaw_rad,v_mps,omega_radps,proposed_v_mps,proposed_omega_radps,command_v_"
+           "mps,"
            "command_omega_radps,waypoint_x_m,waypoint_y_m,clearance_m,state,action,why\n";
 }
 
@@ -90,7 +100,7 @@ std::string drive_csv_row(const DriveSample& sample, const nav::RecoveryDecision
                           nav::GuardAction action) {
     std::string why = decision.why;
     std::replace(why.begin(), why.end(), ',', ';');
-    const std::string truth = sample.truth_known ? columns(sample.T_world_robot) : ",,";
+    const std::string truth = sample.truth_known ? true_columns(sample) : ",,,,";
     const std::string clearance = sample.truth_known ? cli::fixed_text(sample.clearance_m, 3) : "";
     return cli::fixed_text(sample.time_s, 2) + ',' + truth + ',' + columns(sample.T_map_robot) + ',' +
            columns(sample.odometry) + ',' + columns(sample.motion) + ',' + columns(sample.proposed) + ',' +

@@ -4,9 +4,11 @@
 #include <deque>
 #include <utility>
 
+#include "flownav/cli/number_text.h"
 #include "flownav/config/make_state.h"
 #include "flownav/pipeline/pipeline.h"
 #include "flownav/sim/collision.h"
+#include "flownav/sim/ground.h"
 #include "flownav/sim/vehicle.h"
 #include "simulated_clock.h"
 
@@ -92,6 +94,8 @@ class SimulatedRobot : public nav::RobotBase, public SensorFeed, public Witness 
         truth.motion = vehicle_.motion();
         truth.clearance_m = clear.distance_m;
         if (clear.distance_m <= 0.0) truth.touched = clear.nearest;
+        truth.fell = edge_below();
+        truth.T_flat_robot = sim::ride_on_ground(options_.world, vehicle_.pose());
         truth.at_goal = is_at_goal(last_goal);
         return truth;
     }
@@ -113,7 +117,8 @@ class SimulatedRobot : public nav::RobotBase, public SensorFeed, public Witness 
             vehicle_.advance(time_s);
             Field field = camera_->take(field_, vehicle_.pose(), time_s);
             field.timestamp_s = epoch_s + time_s;
-            observer_.on_truth(field.timestamp_s, vehicle_.pose());
+            observer_.on_truth(field.timestamp_s, vehicle_.pose(),
+                               sim::ride_on_ground(options_.world, vehicle_.pose()));
             if (options_.faults.field) {
                 auto altered = options_.faults.field(field);
                 if (!altered) continue;
@@ -144,6 +149,15 @@ class SimulatedRobot : public nav::RobotBase, public SensorFeed, public Witness 
     void send(double time_s, nav::SensorUpdate update) {
         const double more_s = options_.faults.field_delay_s ? options_.faults.field_delay_s(time_s) : 0.0;
         arriving_.push_back({time_s + options_.latency_s + more_s, std::move(update)});
+    }
+
+    /// Place and depth of an edge that the robot is over; empty when it stands on its ground.
+    std::string edge_below() const {
+        const auto edge =
+            sim::overhang(options_.world, options_.config.navigation.robot.footprint_m, vehicle_.pose());
+        if (!edge) return "";
+        return cli::fixed_text(edge->at_m.x(), 2) + ", " + cli::fixed_text(edge->at_m.y(), 2) + " m, " +
+               cli::fixed_text(edge->depth_m, 2) + " m deep";
     }
 
     /// True only at the final goal; the recovery manager handles way points before it.
@@ -191,6 +205,9 @@ DriveResult simulate_drive(const SimulatedDriveOptions& options, DriveObserver& 
     SimulatedDriveOptions driving = options;
     driving.config.guard.needs_fields = options.sensor == SensorKind::Flow;
     driving.hung_s = 0.0;
+    const RobotModel& body = driving.config.navigation.robot;
+    if (driving.world.shadow_light)
+        driving.world.shadow_light->robot = sim::ShadowBody{body.footprint_m, body.height_m};
     SimulatedClock clock(epoch_s, options.realtime);
     SimulatedRobot robot(driving, clock, observer);
     WithEpoch recorder(observer);

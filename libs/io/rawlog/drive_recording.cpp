@@ -6,6 +6,7 @@
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRobotPose.h>
 
+#include <cmath>
 #include <system_error>
 
 #include "flownav/io/observations.h"
@@ -84,12 +85,17 @@ void DriveRecording::write_gyro(const GyroRate& reading) {
     write_object(parts_->file, imu);
 }
 
-void DriveRecording::write_truth(double timestamp_s, const Pose2& T_world_robot) {
+void DriveRecording::write_truth(double timestamp_s, const Pose2& T_world_robot,
+                                 const Eigen::Isometry3d& T_flat_robot) {
     mrpt::obs::CObservationRobotPose truth;
     truth.timestamp = mrpt::Clock::fromDouble(timestamp_s);
     truth.sensorLabel = "GROUND_TRUTH";
+    const Eigen::Matrix3d R = T_flat_robot.linear();
+    const double pitch_rad = std::atan2(0.0 - R(2, 0), std::hypot(R(2, 1), R(2, 2)));  // never -0
+    const double roll_rad = std::atan2(R(2, 1), R(2, 2));
     truth.pose.mean =
-        mrpt::poses::CPose3D(T_world_robot.x_m, T_world_robot.y_m, 0, T_world_robot.yaw_rad, 0, 0);
+        mrpt::poses::CPose3D(T_world_robot.x_m, T_world_robot.y_m, T_flat_robot.translation().z(),
+                             T_world_robot.yaw_rad, pitch_rad, roll_rad);
     write_object(parts_->file, truth);
 }
 

@@ -13,6 +13,7 @@
 
 #include "depth_rays.h"
 #include "egl_context.h"
+#include "flownav/sim/ground.h"
 #include "image_effects.h"
 #include "lens.h"
 #include "world_scene.h"
@@ -127,11 +128,19 @@ struct CameraSimulator::Impl {
     Impl& operator=(const Impl&) = delete;
     ~Impl() { context.make_current(); }
 
-    /// Picture of `camera`: the pinhole picture, bent by the lens and averaged over the supersampling.
-    cv::Mat1b render(const Lens& lens, const CameraModel& camera, const Isometry3d& T_world_camera,
-                     double time_s) {
+    /// Pose of the camera on a robot that stands on the ground of the world.
+    Isometry3d true_pose(const CameraMount& mount, const Pose2& T_world_robot) const {
+        return camera_pose(mount, T_world_robot, ride_on_ground(world, T_world_robot));
+    }
+
+    /// Picture of `camera` on `mount`: the pinhole picture, bent by the lens and averaged over the
+    /// supersampling.
+    cv::Mat1b render(const Lens& lens, const CameraModel& camera, const Pose2& T_world_robot,
+                     const CameraMount& mount, double time_s) {
         context.make_current();
-        meshes->look(pyramid(lens.pinhole, T_world_camera), time_s);
+        const Isometry3d T_world_camera = true_pose(mount, T_world_robot);
+        meshes->look(pyramid(lens.pinhole, T_world_camera),
+                     FloorLight(world, T_world_robot, time_s, T_world_camera.translation()), time_s);
         renderer->setCamera(scene, to_mrpt(lens.pinhole, size, T_world_camera));
         renderer->render_RGB(scene, colours);
         cv::extractChannel(colours.asCvMatRef(), grey, 0);
@@ -145,13 +154,12 @@ struct CameraSimulator::Impl {
         return picture;
     }
 
-    /// Pose of the camera with the image's vibration.
-    Isometry3d shaken_pose(const CameraModel& camera, int image, const Pose2& T_world_robot) const {
+    /// Mount of the camera with the image's vibration.
+    CameraMount shaken(CameraMount mount, int image) const {
         const Tilt tilt = tilt_of_image(params.effects, image);
-        CameraMount mount = camera.mount;
         mount.pitch_rad += tilt.pitch_rad;
         mount.roll_rad += tilt.roll_rad;
-        return camera_pose(mount, T_world_robot);
+        return mount;
     }
 };
 
@@ -170,7 +178,7 @@ Field CameraSimulator::take(int image, const Pose2& T_world_robot, double time_s
     if (image < 0) throw std::invalid_argument("simulated camera: image numbers must be >= 0");
     const CameraModel camera = image_camera(impl_->params, image);
     const auto picture = std::make_shared<cv::Mat1b>(impl_->render(
-        impl_->lenses[image % 2], camera, impl_->shaken_pose(camera, image, T_world_robot), time_s));
+        impl_->lenses[image % 2], camera, T_world_robot, impl_->shaken(camera.mount, image), time_s));
     impl_->effects.apply(*picture, image);
     Field field;
     field.timestamp_s = sim_start_s + time_s;
@@ -183,12 +191,12 @@ Field CameraSimulator::take(int image, const Pose2& T_world_robot, double time_s
 
 cv::Mat1b CameraSimulator::render(const Pose2& T_world_robot, double time_s) {
     const CameraModel camera = image_camera(impl_->params, 0);
-    return impl_->render(impl_->lenses[0], camera, camera_pose(camera.mount, T_world_robot), time_s);
+    return impl_->render(impl_->lenses[0], camera, T_world_robot, camera.mount, time_s);
 }
 
 cv::Mat1f CameraSimulator::depth_m(const Pose2& T_world_robot, double time_s) {
     const CameraModel camera = image_camera(impl_->params, 0);
-    return exact_depth(impl_->world, camera, camera_pose(camera.mount, T_world_robot), time_s);
+    return exact_depth(impl_->world, camera, impl_->true_pose(camera.mount, T_world_robot), time_s);
 }
 
 }  // namespace flownav::sim

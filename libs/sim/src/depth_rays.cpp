@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "flownav/sim/plan_view.h"
+#include "raycast/ground.h"
 
 namespace flownav::sim {
 namespace {
@@ -18,7 +19,7 @@ using Eigen::Vector3d;
 constexpr double nothing = std::numeric_limits<double>::infinity();
 
 /// Both in the frame of a shape; `along` has depth 1, so that lengths along the ray are depths.
-struct Ray {
+struct LocalRay {
     Vector3d from;
     Vector3d along;
 };
@@ -51,13 +52,13 @@ Interval chord(double pp, double pd, double dd, double radius) {
     return {(-pd - std::sqrt(root)) / dd, (-pd + std::sqrt(root)) / dd};
 }
 
-double depth_of(const Box& box, const Ray& ray) {
+double depth_of(const Box& box, const LocalRay& ray) {
     Interval t;
     for (int axis = 0; axis < 3; ++axis) t.clip(ray.from[axis], ray.along[axis], box.size_m[axis] / 2);
     return t.nearest();
 }
 
-double depth_of(const Cylinder& cylinder, const Ray& ray) {
+double depth_of(const Cylinder& cylinder, const LocalRay& ray) {
     const Vector2d p = ray.from.head<2>();
     const Vector2d d = ray.along.head<2>();
     Interval t = chord(p.squaredNorm(), p.dot(d), d.squaredNorm(), cylinder.radius_m);
@@ -65,7 +66,7 @@ double depth_of(const Cylinder& cylinder, const Ray& ray) {
     return t.nearest();
 }
 
-double depth_of(const Sphere& sphere, const Ray& ray) {
+double depth_of(const Sphere& sphere, const LocalRay& ray) {
     return chord(ray.from.squaredNorm(), ray.from.dot(ray.along), ray.along.squaredNorm(), sphere.radius_m)
         .nearest();
 }
@@ -116,20 +117,34 @@ void draw_floor(cv::Mat1f& depth, const cv::Mat3d& rays, const Isometry3d& T_wor
     }
 }
 
+void draw_ground(cv::Mat1f& depth, const cv::Mat3d& rays, const World& world,
+                 const Isometry3d& T_world_camera) {
+    if (world.ground.empty()) return draw_floor(depth, rays, T_world_camera);
+    const Ground ground(world);
+    for (int v = 0; v < depth.rows; ++v) {
+        for (int u = 0; u < depth.cols; ++u) {
+            const cv::Vec3d& ray = rays(v, u);
+            const Vector3d direction = T_world_camera.linear() * Vector3d(ray[0], ray[1], ray[2]);
+            depth(v, u) = static_cast<float>(ground.meet({T_world_camera.translation(), direction}).t);
+        }
+    }
+}
+
 }  // namespace
 
-Isometry3d camera_pose(const CameraMount& mount, const Pose2& T_world_robot) {
+Isometry3d camera_pose(const CameraMount& mount, const Pose2& T_world_robot, const Isometry3d& T_flat_robot) {
     const double c = std::cos(mount.pitch_rad);
     const double s = std::sin(mount.pitch_rad);
     Eigen::Matrix3d R_robot_level;
     R_robot_level.col(0) = Vector3d(0, -1, 0);
     R_robot_level.col(1) = Vector3d(-s, 0, -c);
     R_robot_level.col(2) = Vector3d(c, 0, -s);
-    const Vector2d at = transform(T_world_robot, {mount.forward_m, mount.left_m});
+    const Vector3d eye = T_flat_robot * Vector3d(mount.forward_m, mount.left_m, mount.height_m);
+    const Vector2d at = transform(T_world_robot, Vector2d(eye.head<2>()));
     Isometry3d pose = Isometry3d::Identity();
     pose.linear() = Eigen::AngleAxisd(T_world_robot.yaw_rad, Vector3d::UnitZ()).toRotationMatrix() *
-                    R_robot_level * level_rotation(mount);
-    pose.translation() = Vector3d(at.x(), at.y(), mount.height_m);
+                    T_flat_robot.linear() * R_robot_level * level_rotation(mount);
+    pose.translation() = Vector3d(at.x(), at.y(), eye.z());
     return pose;
 }
 
@@ -137,7 +152,7 @@ cv::Mat1f exact_depth(const World& world, const CameraModel& camera, const Isome
                       double time_s) {
     const cv::Mat3d rays = rays_of(camera);
     cv::Mat1f depth(camera.height_px, camera.width_px);
-    draw_floor(depth, rays, T_world_camera);
+    draw_ground(depth, rays, world, T_world_camera);
     for (const Solid& solid : world.solids) {
         if (!solid.visible) continue;
         const Isometry3d T_solid_camera = pose_at(solid, time_s).inverse() * T_world_camera;
@@ -146,8 +161,8 @@ cv::Mat1f exact_depth(const World& world, const CameraModel& camera, const Isome
         for (int v = pixels.y; v < pixels.y + pixels.height; ++v) {
             for (int u = pixels.x; u < pixels.x + pixels.width; ++u) {
                 const cv::Vec3d& ray = rays(v, u);
-                const Ray local{T_solid_camera.translation(),
-                                T_solid_camera.linear() * Vector3d(ray[0], ray[1], ray[2])};
+                const LocalRay local{T_solid_camera.translation(),
+                                     T_solid_camera.linear() * Vector3d(ray[0], ray[1], ray[2])};
                 const double t =
                     std::visit([&](const auto& shape) { return depth_of(shape, local); }, solid.shape);
                 depth(v, u) = std::min(depth(v, u), static_cast<float>(t));

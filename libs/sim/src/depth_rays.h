@@ -8,8 +8,10 @@
 
 namespace flownav::sim {
 
-/// Pose of a camera on a robot that stands on the floor: axes x right, y down, z along the optical axis.
-Eigen::Isometry3d camera_pose(const CameraMount& mount, const Pose2& T_world_robot);
+/// Pose of a camera on a robot that rides on its ground, see ride_on_ground(): axes x right, y down, z along
+/// the optical axis.
+Eigen::Isometry3d camera_pose(const CameraMount& mount, const Pose2& T_world_robot,
+                              const Eigen::Isometry3d& T_flat_robot);
 
 /// Depth along the optical axis of every pixel (CV_32F, metres, 0 where a ray meets no surface), from the
 /// exact shapes.

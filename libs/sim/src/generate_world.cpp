@@ -24,6 +24,10 @@ World draw(WorldKind kind, Random& random) {
             return draw_hall(random);
         case WorldKind::Forest:
             return draw_forest(random);
+        case WorldKind::Stairs:
+            return draw_stairs(random);
+        case WorldKind::Ramp:
+            return draw_ramp(random);
     }
     throw std::invalid_argument("no such kind of world");
 }
@@ -69,6 +73,10 @@ const char* to_string(WorldKind kind) {
             return "hall";
         case WorldKind::Forest:
             return "forest";
+        case WorldKind::Stairs:
+            return "stairs";
+        case WorldKind::Ramp:
+            return "ramp";
     }
     return "";
 }

@@ -10,5 +10,7 @@ World draw_corridor(Random& random);
 World draw_office(Random& random);
 World draw_hall(Random& random);
 World draw_forest(Random& random);
+World draw_stairs(Random& random);
+World draw_ramp(Random& random);
 
 }  // namespace flownav::sim

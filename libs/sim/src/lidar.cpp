@@ -8,6 +8,7 @@
 
 #include "flownav/core/plane_geometry.h"
 #include "flownav/math/units.h"
+#include "flownav/sim/ground.h"
 #include "flownav/sim/plan_view.h"
 
 namespace flownav::sim {
@@ -98,6 +99,25 @@ class Beams {
     std::vector<Vector2d> directions_;
 };
 
+/// Writes the walls of the ground that reach through the plane into the beams, as plates of a millimetre.
+void see_ground(const World& world, double plane_m, Beams& beams) {
+    constexpr double plate_m = 0.001;
+    if (world.ground.empty()) return;
+    for (const GroundWall& wall : ground_walls(world)) {
+        const double low_m = std::min(wall.left_m.z(), wall.right_m.z());
+        const double high_m =
+            std::max(wall.left_m.z() + wall.left_rise_m, wall.right_m.z() + wall.right_rise_m);
+        if (plane_m < low_m || plane_m > high_m) continue;
+        const Vector2d left = wall.left_m.head<2>();
+        const Vector2d right = wall.right_m.head<2>();
+        const Vector2d along = (right - left).normalized();
+        const Vector2d behind = plate_m * Vector2d(-along.y(), along.x());
+        const Vector2d middle = (left + right) / 2;
+        beams.see(Polygon{left, right, right + behind, left + behind}, middle,
+                  (right - left).norm() / 2 + plate_m);
+    }
+}
+
 }  // namespace
 
 VirtualScan scan(const World& world, const LidarParams& params, const Pose2& T_world_robot, double time_s) {
@@ -110,13 +130,16 @@ VirtualScan scan(const World& world, const LidarParams& params, const Pose2& T_w
     scan.first_bearing_rad = -scan.step_rad * (params.beams - 1) / 2;
     scan.beams.assign(static_cast<std::size_t>(params.beams), {BeamKind::Free, params.range_max_m});
     Beams beams(scan, T_world_robot, params.range_max_m);
+    const Vector2d axis_m(T_world_robot.x_m, T_world_robot.y_m);
+    const double plane_m = params.height_m + (world.ground.empty() ? 0.0 : ground_height_m(world, axis_m));
     for (const Solid& solid : world.solids) {
         if (!solid.solid) continue;
         const Eigen::Isometry3d pose = pose_at(solid, time_s);
-        const auto shape = plan_view(solid.shape, pose, params.height_m, params.height_m);
+        const auto shape = plan_view(solid.shape, pose, plane_m, plane_m);
         if (!shape) continue;
         beams.see(*shape, pose.translation().head<2>(), bounding_radius_m(solid.shape));
     }
+    see_ground(world, plane_m, beams);
     return scan;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "flownav/math/grid2d.h"
+#include "flownav/sim/ground.h"
 #include "flownav/sim/plan_view.h"
 
 namespace flownav::sim {
@@ -99,6 +100,11 @@ bool passable(const World& world, double radius_m, double height_m) {
         if (!plan) continue;
         obstacles.push_back(*plan);
         area.extend(extent(*plan));
+    }
+    for (const GroundWall& wall : ground_walls(world)) {
+        if (std::max(wall.left_rise_m, wall.right_rise_m) <= step_max_m) continue;
+        obstacles.emplace_back(Polygon{wall.left_m.head<2>(), wall.right_m.head<2>()});
+        area.extend(extent(obstacles.back()));
     }
     const Vector2d around = Vector2d::Constant(2 * radius_m + 2 * cell_m);
     Ground ground({area.min() - around, area.max() + around});

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "flownav/core/plane_geometry.h"
+#include "flownav/math/convex_hull.h"
 
 namespace flownav::sim {
 namespace {
@@ -53,25 +53,6 @@ std::vector<Vector2d> around_circle(double radius_m) {
     return corners;
 }
 
-/// Convex hull, counter-clockwise (Andrew's monotone chain).
-Polygon hull(std::vector<Vector2d> points) {
-    std::sort(points.begin(), points.end(), [](const Vector2d& a, const Vector2d& b) {
-        return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-    });
-    Polygon corners;
-    const auto add = [&corners](const Vector2d& p, std::size_t fixed) {
-        while (corners.size() >= fixed + 2 &&
-               cross(corners.back() - corners[corners.size() - 2], p - corners.back()) <= 0.0)
-            corners.pop_back();
-        corners.push_back(p);
-    };
-    for (const Vector2d& p : points) add(p, 0);
-    const std::size_t lower = corners.size() - 1;
-    for (auto p = points.rbegin() + 1; p != points.rend(); ++p) add(*p, lower);
-    corners.pop_back();
-    return corners;
-}
-
 /// The part of a convex body between two heights, seen from above: the hull of its corners there and of the
 /// points where its edges pass the heights.
 std::optional<PlanShape> slab_of(Body body, const Isometry3d& T_world_body, double low_m, double high_m) {
@@ -88,7 +69,7 @@ std::optional<PlanShape> slab_of(Body body, const Isometry3d& T_world_body, doub
         }
     }
     if (points.size() < 3) return std::nullopt;
-    Polygon outline = hull(std::move(points));
+    Polygon outline = convex_hull(std::move(points));
     if (outline.size() < 3) return std::nullopt;
     return outline;
 }

@@ -10,7 +10,7 @@ namespace flownav::sim {
 namespace {
 
 constexpr std::string_view prefix = "flownav/";
-constexpr std::array<std::pair<Surface, std::string_view>, 9> surfaces = {{
+constexpr std::array<std::pair<Surface, std::string_view>, 10> surfaces = {{
     {Surface::Plain, "Plain"},
     {Surface::Carpet, "Carpet"},
     {Surface::Tiles, "Tiles"},
@@ -20,6 +20,7 @@ constexpr std::array<std::pair<Surface, std::string_view>, 9> surfaces = {{
     {Surface::Faint, "Faint"},
     {Surface::Stoneware, "Stoneware"},
     {Surface::Marbled, "Marbled"},
+    {Surface::Lamp, "Lamp"},
 }};
 
 }  // namespace
@@ -53,7 +54,7 @@ std::optional<Look> look_named(const std::string& name) {
     throw std::invalid_argument(
         "material \"" + name +
         "\" must be flownav/SURFACE GREY SEED with SURFACE = Plain, Carpet, Tiles, Lino, "
-        "Wall, Patterned, Faint, Stoneware or Marbled, GREY = 0..255 and SEED a whole number >= 0");
+        "Wall, Patterned, Faint, Stoneware, Marbled or Lamp, GREY = 0..255 and SEED a whole number >= 0");
 }
 
 Look default_look(const std::string& name_of_solid) {

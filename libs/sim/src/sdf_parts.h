@@ -21,6 +21,8 @@ class Parts {
     void add_visible(const Shape& shape, const Eigen::Isometry3d& T, const std::optional<Look>& look,
                      const std::string& name);
 
+    void add(Solid solid) { solids_.push_back(std::move(solid)); }
+
     std::vector<Solid> take() { return std::move(solids_); }
 
   private:

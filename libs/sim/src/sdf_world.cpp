@@ -17,6 +17,7 @@
 
 #include "sdf_actor.h"
 #include "sdf_file.h"
+#include "sdf_ground.h"
 #include "sdf_look.h"
 #include "sdf_parts.h"
 
@@ -48,10 +49,15 @@ std::optional<Look> look_of(const sdf::Visual& visual) {
 }
 
 /// Whether a plane is the floor of the world.
-bool is_floor(const sdf::Plane& plane, const Isometry3d& T_world_plane) {
+bool is_floor(const Isometry3d& T_world_plane) {
+    return T_world_plane.linear()(2, 2) > 1.0 - 1e-9 && std::abs(T_world_plane.translation().z()) < 1e-6;
+}
+
+/// Pose whose z axis is the normal of a plane.
+Isometry3d along_normal(const sdf::Plane& plane, const Isometry3d& T_world_plane) {
     const auto& n = plane.Normal();
-    const Vector3d normal = T_world_plane.linear() * Vector3d(n.X(), n.Y(), n.Z());
-    return normal.z() > 1.0 - 1e-9 && std::abs(T_world_plane.translation().z()) < 1e-6;
+    return T_world_plane *
+           Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), Vector3d(n.X(), n.Y(), n.Z()));
 }
 
 class Conversion {
@@ -64,7 +70,8 @@ class Conversion {
         Parts parts;
         for (std::uint64_t i = 0; i < model.LinkCount(); ++i)
             link(*model.LinkByIndex(i), T_world_model, name, parts);
-        add_parts(loaded_.world, name, std::move(parts));
+        add_parts(loaded_.world, name,
+                  is_ground(name) ? take_ground(loaded_.world, parts) : std::move(parts));
         for (std::uint64_t i = 0; i < model.ModelCount(); ++i)
             this->model(*model.ModelByIndex(i), T_world_model, name + "/");
     }
@@ -95,13 +102,30 @@ class Conversion {
             } else {
                 parts.add_solid(*shape, pose, name);
             }
-        } else if (geometry.PlaneShape() && is_floor(*geometry.PlaneShape(), pose)) {
-            if (visual) loaded_.world.floor = look_of(*visual).value_or(loaded_.world.floor);
-        } else {
+        } else if (!geometry.PlaneShape() || !plane(*geometry.PlaneShape(), pose, name, visual)) {
             loaded_.warnings.push_back(name +
-                                       ": only boxes, cylinders, spheres and the plane z = 0 are "
-                                       "simulated; this shape is left out");
+                                       ": only boxes, cylinders, spheres and planes that lean by at most 20 "
+                                       "degrees are simulated; this shape is left out");
         }
+    }
+
+    /// The floor, or a piece of ground; false for planes that no robot can stand on.
+    bool plane(const sdf::Plane& plane, const Isometry3d& pose, const std::string& name,
+               const sdf::Visual* visual) {
+        const Isometry3d T_world_plane = along_normal(plane, pose);
+        if (is_floor(T_world_plane)) {
+            if (visual) loaded_.world.floor = look_of(*visual).value_or(loaded_.world.floor);
+            return true;
+        }
+        if (!is_walkable(T_world_plane)) return false;
+        GroundPiece piece;
+        piece.name = model_of(name);
+        piece.T_world_ground = T_world_plane;
+        piece.size_m = {plane.Size().X(), plane.Size().Y()};
+        piece.look =
+            visual ? look_of(*visual).value_or(default_ground_look(name)) : default_ground_look(name);
+        add_ground(loaded_.world, piece, visual != nullptr);
+        return true;
     }
 
     LoadedWorld& loaded_;
@@ -135,6 +159,7 @@ LoadedWorld read_sdf_world(const std::filesystem::path& file) {
         for (std::uint64_t i = 0; i < from.ModelCount(); ++i)
             conversion.model(*from.ModelByIndex(i), Isometry3d::Identity(), "");
         read_frames(from, loaded);
+        loaded.world.shadow_light = shadow_light_of(from.Element());
         for (const sdf::ElementPtr& actor : sdf.actors) read_actor(actor, loaded);
     } catch (const std::invalid_argument& error) {
         throw WorldError(file.string() + ": " + error.what());

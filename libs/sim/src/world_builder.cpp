@@ -9,7 +9,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double wall_height_m = 2.2;
-constexpr double wall_thickness_m = 0.12;
 
 }  // namespace
 

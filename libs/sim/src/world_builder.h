@@ -11,6 +11,8 @@ namespace flownav::sim {
 /// things stand on the floor where nothing else is said.
 class WorldBuilder {
   public:
+    static constexpr double wall_thickness_m = 0.12;
+
     WorldBuilder(World& world, Random& random) : world_(world), random_(random) {}
 
     /// A look of its own.

@@ -17,6 +17,8 @@ constexpr double fine_m = 0.0002;         ///< deviation of round things seen fr
 constexpr double coarse_m = 0.0006;       ///< and from farther than coarse_from_m
 constexpr double coarse_from_m = 2.5;     ///< where that is a tenth of a pixel
 constexpr double floor_beyond_m = 150.0;  ///< of the outermost thing
+constexpr double lid_below_m = 0.001;     ///< pieces of ground that reach lower take the place of the floor
+constexpr double light_lid_m = 0.003;     ///< height of lids above the light on the floor
 
 /// Where a solid's piece of its tile begins: things of one surface share a tile and differ in that.
 Vector2d offset_m(const Look& look, double tile_m) {
@@ -44,6 +46,7 @@ WorldScene::WorldScene(const World& world) {
     add_floor(world);
     for (const Solid& solid : world.solids)
         if (solid.visible) add_solid(solid);
+    add_ground(world);
 }
 
 std::size_t WorldScene::texture_of(const Look& look, const TileGrid& grid) {
@@ -106,6 +109,74 @@ void WorldScene::add_solid(const Solid& solid) {
     parts_.push_back(std::move(part));
 }
 
+void WorldScene::add_quad(const std::array<Vector3d, 4>& corners_m, const std::array<Vector2d, 4>& uv_m,
+                          const Look& look) {
+    Part part;
+    const Vector3d middle = (corners_m[0] + corners_m[1] + corners_m[2] + corners_m[3]) / 4.0;
+    part.solid.T_world_solid.translation() = middle;
+    for (const Vector3d& corner : corners_m)
+        part.radius_m = std::max(part.radius_m, (corner - middle).norm());
+    part.texture = texture_of(look, floor_grid);
+    part.first_vertex = vertices_.size();
+    part.first_index = {indices_.size(), indices_.size()};
+    part.indices = {6, 6};
+    const double tile_m = tiles_[part.texture].size_m;
+    const Vector2d offset = offset_m(look, tile_m);
+    const auto first = static_cast<std::uint32_t>(vertices_.size());
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Eigen::Vector3f p = corners_m[i].cast<float>();
+        const Eigen::Vector2f t = uv_m[i].cast<float>();
+        MeshVertex vertex{p.x(), p.y(), p.z(), t.x(), t.y()};
+        fit(vertex, offset, tile_m);
+        vertices_.push_back(vertex);
+    }
+    for (const std::uint32_t i : {0U, 1U, 2U, 0U, 2U, 3U}) indices_.push_back(first + i);
+    parts_.push_back(std::move(part));
+}
+
+void WorldScene::add_ground(const World& world) {
+    for (const GroundPiece& piece : world.ground) {
+        const Vector2d half = piece.size_m / 2;
+        const std::array<Vector2d, 4> uv = {-half, Vector2d(half.x(), -half.y()), half,
+                                            Vector2d(-half.x(), half.y())};
+        std::array<Vector3d, 4> corners;
+        for (std::size_t i = 0; i < 4; ++i)
+            corners[i] = piece.T_world_ground * Vector3d(uv[i].x(), uv[i].y(), 0.0);
+        add_quad(corners, uv, piece.look);
+    }
+    for (const GroundWall& wall : ground_walls(world)) {
+        const double length_m = (wall.right_m - wall.left_m).norm();
+        add_quad({wall.left_m, wall.right_m, wall.right_m + wall.right_rise_m * Vector3d::UnitZ(),
+                  wall.left_m + wall.left_rise_m * Vector3d::UnitZ()},
+                 {Vector2d(0.0, 0.0), Vector2d(length_m, 0.0), Vector2d(length_m, wall.right_rise_m),
+                  Vector2d(0.0, wall.left_rise_m)},
+                 wall_look(world.ground[static_cast<std::size_t>(wall.piece)]));
+    }
+    lids_ = make_lids(world, 0.0);
+    light_lids_ = make_lids(world, light_lid_m);
+}
+
+/// Over the pieces of ground that reach down to the floor or below.
+WorldScene::Lids WorldScene::make_lids(const World& world, double height_m) {
+    Lids lids;
+    lids.first_index = indices_.size();
+    for (const GroundPiece& piece : world.ground) {
+        const Vector2d half = piece.size_m / 2;
+        const auto first = static_cast<std::uint32_t>(vertices_.size());
+        bool reaches_floor = false;
+        for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+            const Eigen::Vector3d corner = piece.T_world_ground * Vector3d(x * half.x(), y * half.y(), 0.0);
+            reaches_floor = reaches_floor || corner.z() < lid_below_m;
+            vertices_.push_back({static_cast<float>(corner.x()), static_cast<float>(corner.y()),
+                                 static_cast<float>(height_m), 0.0F, 0.0F});
+        }
+        if (!reaches_floor) continue;
+        for (const std::uint32_t i : {0U, 1U, 2U, 0U, 2U, 3U}) indices_.push_back(first + i);
+        lids.indices += 6;
+    }
+    return lids;
+}
+
 void WorldScene::place(Part& part, double time_s) {
     const Eigen::Isometry3d T_world_solid = pose_at(part.solid, time_s);
     for (std::size_t i = 0; i < part.own_vertices.size(); ++i) {
@@ -116,7 +187,8 @@ void WorldScene::place(Part& part, double time_s) {
     part.solid.T_world_solid = T_world_solid;
 }
 
-void WorldScene::look(const ViewPyramid& view, double time_s) {
+void WorldScene::look(const ViewPyramid& view, FloorLight light, double time_s) {
+    light_ = std::move(light);
     drawn_.clear();
     for (std::size_t i = 1; i < parts_.size(); ++i) {
         Part& part = parts_[i];

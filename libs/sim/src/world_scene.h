@@ -6,9 +6,13 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
+#include "floor_light_gl.h"
+#include "flownav/sim/ground.h"
 #include "flownav/sim/world.h"
+#include "raycast/floor_light.h"
 #include "solid_mesh.h"
 #include "texture_tile.h"
 
@@ -27,8 +31,8 @@ class WorldScene : public mrpt::opengl::CSetOfTexturedTriangles {
   public:
     explicit WorldScene(const World& world);
 
-    /// Moves what moves, and chooses what to draw.
-    void look(const ViewPyramid& view, double time_s);
+    /// Moves what moves, and chooses what to draw, in the given light.
+    void look(const ViewPyramid& view, FloorLight light, double time_s);
 
     mrpt::opengl::shader_list_t requiredShaders() const override;
     void render(const RenderContext& context) const override;
@@ -54,8 +58,21 @@ class WorldScene : public mrpt::opengl::CSetOfTexturedTriangles {
         int detail = 0;
     };
 
+    /// Flat pieces over the openings of the floor that fill the depth buffer only.
+    struct Lids {
+        std::size_t first_index = 0;
+        int indices = 0;
+    };
+
     std::size_t texture_of(const Look& look, const TileGrid& grid);
     void add_floor(const World& world);
+    void add_ground(const World& world);
+    void add_quad(const std::array<Eigen::Vector3d, 4>& corners_m, const std::array<Eigen::Vector2d, 4>& uv_m,
+                  const Look& look);
+    Lids make_lids(const World& world, double height_m);
+    void draw(const Drawn& drawn) const;
+    void draw(const Lids& lids) const;
+    void draw_light(const RenderContext& context) const;
     void add_solid(const Solid& solid);
     void place(Part& part, double time_s);
     void upload() const;
@@ -67,7 +84,11 @@ class WorldScene : public mrpt::opengl::CSetOfTexturedTriangles {
     std::vector<MeshVertex> vertices_;  ///< in the world frame
     std::vector<std::uint32_t> indices_;
     std::vector<Drawn> drawn_;
+    Lids lids_;        ///< keep the floor out of its openings
+    Lids light_lids_;  ///< keep light that lies on the floor out of them
+    std::optional<FloorLight> light_;
 
+    mutable FloorLightPainter light_painter_;
     mutable std::vector<unsigned int> texture_names_;
     mutable unsigned int vertex_buffer_ = 0;
     mutable unsigned int index_buffer_ = 0;

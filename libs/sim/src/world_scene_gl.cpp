@@ -82,15 +82,44 @@ void WorldScene::render(const RenderContext& context) const {
     glEnable(GL_CULL_FACE);
     glCullFace(GL_BACK);
     for (const Drawn& drawn : drawn_) {
-        const Part& part = parts_[drawn.part];
-        glBindTexture(GL_TEXTURE_2D, texture_names_[part.texture]);
-        glDrawElements(GL_TRIANGLES, part.indices[drawn.detail], GL_UNSIGNED_INT,
-                       at_byte(part.first_index[drawn.detail] * sizeof(std::uint32_t)));
+        if (drawn.part == 0) draw(lids_);
+        draw(drawn);
     }
+    draw_light(context);
     glDisable(GL_CULL_FACE);
     glDisableVertexAttribArray(position);
     glDisableVertexAttribArray(uv);
     glBindVertexArray(0);
+}
+
+void WorldScene::draw(const Drawn& drawn) const {
+    const Part& part = parts_[drawn.part];
+    glBindTexture(GL_TEXTURE_2D, texture_names_[part.texture]);
+    glDrawElements(GL_TRIANGLES, part.indices[drawn.detail], GL_UNSIGNED_INT,
+                   at_byte(part.first_index[drawn.detail] * sizeof(std::uint32_t)));
+}
+
+/// Nearer by a step of the depth buffer than the floor in the same place.
+void WorldScene::draw(const Lids& lids) const {
+    if (lids.indices == 0) return;
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(-1.0F, -1.0F);
+    glDrawElements(GL_TRIANGLES, lids.indices, GL_UNSIGNED_INT,
+                   at_byte(lids.first_index * sizeof(std::uint32_t)));
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void WorldScene::draw_light(const RenderContext& context) const {
+    if (!light_ || light_->empty()) return;
+    draw(light_lids_);
+    std::array<float, 16> pmv{};
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            pmv[static_cast<std::size_t>(4 * column + row)] = context.state->pmv_matrix(row, column);
+    light_painter_.paint(*light_, pmv);
+    glUseProgram(context.shader->programId());
 }
 
 }  // namespace flownav::sim

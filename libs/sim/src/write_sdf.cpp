@@ -94,10 +94,13 @@ std::string frame(const std::string& name, const Pose2& pose) {
            numbers({pose.x_m, pose.y_m, 0.0, 0.0, 0.0, pose.yaw_rad}) + "</pose></frame>\n";
 }
 
-std::string floor(const Look& look) {
+/// A model that is a plane; `pose` is its element with its line, or empty at the origin.
+std::string plane_model(const std::string& name, const std::string& pose, const std::string& size,
+                        const Look& look) {
     const std::string plane =
-        "<geometry><plane><normal>0 0 1</normal><size>100 100</size></plane></geometry>";
-    return "    <model name=\"floor\">\n      <static>true</static>\n      <link name=\"link\">\n"
+        "<geometry><plane><normal>0 0 1</normal><size>" + size + "</size></plane></geometry>";
+    return "    <model name=\"" + escaped(name) + "\">\n      <static>true</static>\n" + pose +
+           "      <link name=\"link\">\n"
            "        <collision name=\"collision\">" +
            plane +
            "</collision>\n"
@@ -107,12 +110,26 @@ std::string floor(const Look& look) {
            "      </link>\n    </model>\n";
 }
 
+std::string ground(const GroundPiece& piece) {
+    return plane_model(piece.name, "      <pose>" + pose_text(piece.T_world_ground) + "</pose>\n",
+                       numbers({piece.size_m.x(), piece.size_m.y()}), piece.look);
+}
+
+std::string shadows(const ShadowLight& light) {
+    const auto& to = light.towards;
+    return "    <flownav:shadows>" + numbers({to.x(), to.y(), to.z(), light.loss, light.soft_m}) +
+           "</flownav:shadows>\n";
+}
+
 }  // namespace
 
 std::string to_sdf(const World& world) {
     std::string text = "<?xml version=\"1.0\"?>\n<sdf version=\"1.9\">\n  <world name=\"" +
                        escaped(world.name.empty() ? "unnamed" : world.name) + "\">\n";
-    text += floor(world.floor) + frame("start", world.start);
+    if (world.shadow_light) text += shadows(*world.shadow_light);
+    text += plane_model("floor", "", "100 100", world.floor);
+    for (const GroundPiece& piece : world.ground) text += ground(piece);
+    text += frame("start", world.start);
     if (world.goal) text += frame("goal", {world.goal->x(), world.goal->y(), 0.0});
     for (const Solid& solid : world.solids) text += solid.script.empty() ? model(solid) : actor(solid);
     return text + "  </world>\n</sdf>\n";

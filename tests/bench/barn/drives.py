@@ -9,7 +9,7 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
-OUTCOMES = ("reached", "blocked", "collision", "timeout")
+OUTCOMES = ("reached", "blocked", "collision", "fell", "timeout")
 
 
 def parser(description):
@@ -55,14 +55,14 @@ def run_all(arguments, jobs):
 
 
 def table_row(name, runs, score=False):
-    """Returns the shares of the outcomes, mean time of the drives that arrived, smallest clearance, and BARN's mean
-    score if any."""
+    """Returns the shares of the outcomes (falls count as collisions), mean time of the drives that arrived, smallest
+    clearance, and BARN's mean score if any."""
     share = {word: sum(r["outcome"] == word for r in runs) / len(runs) for word in OUTCOMES}
     times = [r["time_s"] for r in runs if r["outcome"] == "reached"]
     mean_time = f"{statistics.mean(times):.1f}" if times else "-"
     last = f"{statistics.mean(r['score'] for r in runs):.3f}" if score else f"{min(r['min_clearance_m'] for r in runs):.2f}"
     return (
-        f"| {name} | {share['reached']:.3f} | {share['collision']:.3f} | {share['timeout'] + share['blocked']:.3f} "
+        f"| {name} | {share['reached']:.3f} | {share['collision'] + share['fell']:.3f} | {share['timeout'] + share['blocked']:.3f} "
         f"| {mean_time} | {last} | {len(runs)} |"
     )
 

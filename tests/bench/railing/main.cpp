@@ -37,7 +37,9 @@ struct Tracks : drive::DriveObserver {
     void on_odometry(double timestamp_s, const Pose2& pose) override {
         wheels.push_back({timestamp_s, pose});
     }
-    void on_truth(double timestamp_s, const Pose2& pose) override { truth.push_back({timestamp_s, pose}); }
+    void on_truth(double timestamp_s, const Pose2& pose, const Eigen::Isometry3d&) override {
+        truth.push_back({timestamp_s, pose});
+    }
 };
 
 /// Transforms a track to the frame of its first pose.

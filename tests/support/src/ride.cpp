@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "flownav/sim/ground.h"
+
 namespace flownav::testing {
 
 using Eigen::Vector2d;

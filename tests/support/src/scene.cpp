@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "flownav/sim/random.h"
+#include "flownav/sim/world_look.h"
 #include "layout.h"
 #include "path.h"
 #include "ride.h"
@@ -94,12 +95,8 @@ const char* to_string(SceneKind kind) {
 }
 
 std::optional<Surface> floor_surface(const std::string& name) {
-    if (name == "carpet") return Surface::Carpet;
-    if (name == "tiles") return Surface::Tiles;
-    if (name == "lino") return Surface::Lino;
-    if (name == "plain") return Surface::Plain;
-    if (name == "stoneware") return Surface::Stoneware;
-    if (name == "marbled") return Surface::Marbled;
+    for (const auto& [word, surface] : sim::floor_surfaces())
+        if (word == name) return surface;
     return std::nullopt;
 }
 

@@ -17,6 +17,7 @@
 #include "flownav/replay/replay.h"
 #include "flownav/sim/generate_world.h"
 #include "flownav/sim/sdf_world.h"
+#include "flownav/sim/world_look.h"
 
 namespace flownav {
 namespace {
@@ -77,7 +78,7 @@ TEST(SimApp, BadUsageIsStatusOneAndSaysWhatIsWrong) {
         {{"a.world", "--script", "wait 1"}, "--output"},
         {{"a.world", "--output", "o"}, "--path"},
         {{"a.world", "--script", "wait 1", "--path", "p.csv", "--output", "o"}, "not both"},
-        {{"--generate", "cave", "--write-world", "o"}, "corridor, office, hall, forest"},
+        {{"--generate", "cave", "--write-world", "o"}, "corridor, office, hall, forest, stairs, ramp"},
         {{"--generate", "hall", "--fov-deg", "190", "--write-world", "o"}, "--fov-deg 190: must be 10..140"},
         {{"--generate", "hall", "--width", "3", "--write-world", "o"}, "--width 3"},
         {{"--generate", "hall", "--height-m", "99", "--write-world", "o"}, "camera.height_m"},
@@ -103,10 +104,32 @@ TEST(SimApp, AWorldOrPathThatCannotBeReadIsStatusTwo) {
 
 TEST(SimApp, WritesTheGeneratedWorld) {
     const fs::path file = test_folder() / "w.world";
-    const Outcome outcome = run({"--generate", "office", "--seed", "3", "--write-world", file.string()});
+    const Outcome outcome = run(
+        {"--generate", "office", "--seed", "3", "--objects", "patterned", "--write-world", file.string()});
     EXPECT_EQ(outcome.status, 0) << outcome.error;
     EXPECT_EQ(text_of(file), sim::to_sdf(sim::generate_world(sim::WorldKind::Office, 3)));
     EXPECT_EQ(run({"--generate", "hall", "--write-world", "/no/such/folder/w.world"}).status, 3);
+}
+
+TEST(SimApp, GeneratedWorldsLookLikeRealRoomsUnlessToldOtherwise) {
+    const fs::path file = test_folder() / "w.world";
+    const auto written = [&](const std::vector<std::string>& looks) {
+        std::vector<std::string> arguments = {"--generate", "office",        "--seed",
+                                              "3",          "--write-world", file.string()};
+        arguments.insert(arguments.end(), looks.begin(), looks.end());
+        EXPECT_EQ(run(arguments).status, 0);
+        return text_of(file);
+    };
+    sim::World real = sim::generate_world(sim::WorldKind::Office, 3);
+    sim::furnish_as_real(real, 3);
+    EXPECT_EQ(written({}), sim::to_sdf(real));
+    EXPECT_EQ(written({"--objects", "real"}), sim::to_sdf(real));
+    real.floor.surface = sim::Surface::Lino;
+    EXPECT_EQ(written({"--floor", "lino"}), sim::to_sdf(real));
+    EXPECT_EQ(written({"--objects", "plain"}).find("Patterned"), std::string::npos);
+    EXPECT_NE(run({"--generate", "office", "--objects", "shiny", "--write-world", "o"})
+                  .error.find("real, patterned"),
+              std::string::npos);
 }
 
 struct Recorded {
@@ -208,6 +231,19 @@ TEST(SimApp, WarnsWhenThePathGoesThroughSomething) {
              "--height", "48", "--output", (folder / "d.rawlog").string(), "--quiet"});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_NE(outcome.error.find("goes through ball"), std::string::npos) << outcome.error;
+}
+
+TEST(SimApp, WarnsWhenThePathGoesOverAnEdge) {
+    const fs::path folder = test_folder();
+    std::ofstream(folder / "edge.world")
+        << "<sdf version='1.9'><world name='edge'><model name='pit'><pose>1 0 -0.5 0 0 0</pose><link "
+           "name='l'>"
+           "<collision name='c'><geometry><plane><normal>0 0 1</normal><size>1 1</size></plane></geometry>"
+           "</collision></link></model></world></sdf>";
+    const Outcome outcome = run({(folder / "edge.world").string(), "--script", "forward 0.4", "--width", "64",
+                                 "--height", "48", "--output", (folder / "d.rawlog").string(), "--quiet"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.error.find("goes over an edge of 0.5 m"), std::string::npos) << outcome.error;
 }
 
 TEST(SimApp, AnOutputThatCannotBeWrittenIsStatusThree) {

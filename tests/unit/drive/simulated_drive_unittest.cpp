@@ -89,6 +89,54 @@ TEST(SimulatedDrive, WhatFallsOnTheRobotIsACollision) {
     EXPECT_EQ(result.contact_speed_mps, 0.0);
 }
 
+sim::GroundPiece level_ground(const std::string& name, double from_m, double to_m, double height_m) {
+    sim::GroundPiece piece;
+    piece.name = name;
+    piece.T_world_ground.translation() << (from_m + to_m) / 2, 0.0, height_m;
+    piece.size_m = {to_m - from_m, 6.0};
+    return piece;
+}
+
+/// Straight ahead without asking the sensor, which does not see the ground.
+SimulatedDriveOptions straight_over(const std::vector<sim::GroundPiece>& ground) {
+    SimulatedDriveOptions options = round_a_post();
+    options.world.solids.clear();
+    options.world.ground = ground;
+    options.timeout_s = 20.0;
+    return options;
+}
+
+TEST(SimulatedDrive, ARobotWhoseOutlinePassesAnEdgeHasFallen) {
+    const DriveResult result = drive(straight_over({level_ground("step", 1.5, 3.5, -0.17)}));
+    EXPECT_EQ(result.outcome, Outcome::Fell);
+    EXPECT_STREQ(to_string(result.outcome), "fell");
+    EXPECT_NE(result.why.find("0.17 m deep"), std::string::npos) << result.why;
+    EXPECT_NEAR(result.samples.back().T_world_robot.x_m, 1.25, 0.02);
+    EXPECT_GT(result.contact_speed_mps, 0.2);
+}
+
+TEST(SimulatedDrive, AKerbThatIsTouchedIsACollisionAndAThresholdIsDrivenOver) {
+    const DriveResult kerb = drive(straight_over({level_ground("kerb", 1.5, 3.5, 0.05)}));
+    EXPECT_EQ(kerb.outcome, Outcome::Collision);
+    EXPECT_EQ(kerb.why, "touched kerb");
+    const DriveResult threshold = drive(straight_over({level_ground("threshold", 1.5, 1.6, 0.02)}));
+    EXPECT_EQ(threshold.outcome, Outcome::Reached) << threshold.why;
+}
+
+TEST(SimulatedDrive, OnARampTheTruthHasHeightAndTilt) {
+    const double lean_rad = 0.1;
+    sim::GroundPiece ramp = level_ground("ramp", 1.0, 5.0, 2.0 * std::tan(lean_rad));
+    ramp.T_world_ground.rotate(Eigen::AngleAxisd(-lean_rad, Eigen::Vector3d::UnitY()));
+    ramp.size_m.x() = 4.0 / std::cos(lean_rad);
+    const DriveResult result = drive(straight_over({ramp}));
+    EXPECT_EQ(result.outcome, Outcome::Reached) << result.why;
+    const DriveSample& last = result.samples.back();
+    EXPECT_NEAR(last.T_flat_robot.translation().z(), (last.T_world_robot.x_m - 1.0) * std::tan(lean_rad),
+                2e-3);
+    EXPECT_NEAR(last.T_flat_robot.linear()(2, 0), std::sin(lean_rad), 2e-3);
+    EXPECT_TRUE(result.samples.front().T_flat_robot.matrix().isIdentity(1e-9));
+}
+
 TEST(SimulatedDrive, ANavigatorThatHangsStopsTheRobotAndDrivesOnAfterwards) {
     SimulatedDriveOptions options = round_a_post();
     options.navigator = [](double time_s, const MotionCommand& proposed) {

@@ -134,6 +134,31 @@ TEST(NavApp, TheTimeBeingOverIsAStatusOfItsOwnAndEverythingIsWritten) {
     EXPECT_EQ(content(out / "drive.csv").rfind("time_s,true_x_m", 0), 0U);
 }
 
+TEST(NavApp, ARobotThatFallsEndsWithTheStatusOfACollision) {
+    const fs::path out = folder();
+    const fs::path world = out / "edge.world";
+    std::ofstream(world)
+        << "<sdf version='1.9'><world name='edge'><model name='pit'><pose>2 0 -1 0 0 0</pose>"
+           "<link name='l'><collision name='c'><geometry><plane><normal>0 0 1</normal>"
+           "<size>2 9</size></plane></geometry></collision></link></model></world></sdf>";
+    const fs::path file = out / "result.json";
+    const AppOutcome result = run({"--world", world.string(), "--goal", "4,0", "--sensor", "lidar",
+                                   "--timeout-s", "20", "--result", file.string()});
+    EXPECT_EQ(result.status, 5) << result.error << result.out;
+    const auto json = nlohmann::json::parse(content(file));
+    EXPECT_EQ(json["outcome"], "fell");
+    EXPECT_GT(json["contact_speed_mps"], 0.0);
+    EXPECT_NE(json["why"].get<std::string>().find("1.00 m deep"), std::string::npos) << json["why"];
+}
+
+TEST(NavApp, GeneratedWorldsLookLikeRealRoomsUnlessToldOtherwise) {
+    const AppOutcome result = run({"--generate", "hall", "--objects", "shiny"});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.error.find("real, patterned, faint, plain"), std::string::npos) << result.error;
+    EXPECT_NE(run({"--generate", "hall", "--floor", "sand"}).error.find("carpet, tiles, lino, plain"),
+              std::string::npos);
+}
+
 TEST(NavApp, AnOutputThatCannotBeWrittenIsNamed) {
     const fs::path file = folder() / "file";
     std::ofstream(file) << "no folder";
@@ -153,8 +178,8 @@ TEST(NavApp, TheRecordingIsKeptThoughTheResultCannotBeWritten) {
 
 TEST(NavApp, ADriveThatSeesIsRecordedAndReplayedIntoItsReport) {
     const fs::path out = folder();
-    const AppOutcome result = run({"--generate", "corridor", "--width", "320", "--height", "240",
-                                   "--timeout-s", "3", "--output", out.string()});
+    const AppOutcome result = run({"--generate", "corridor", "--objects", "patterned", "--width", "320",
+                                   "--height", "240", "--timeout-s", "3", "--output", out.string()});
     EXPECT_EQ(result.status, 6) << result.error << result.out;
     for (const char* name : {"run.rawlog", "report.html", "map.pgm", "trajectory.tum", "drive.csv"})
         EXPECT_GT(fs::file_size(out / name), 100U) << name;

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "flownav/core/robot_model.h"
 #include "flownav/sim/ray_caster.h"
+#include "flownav/sim/truth.h"
 #include "flownav/testing/camera.h"
 #include "rendered.h"
 
@@ -138,6 +140,148 @@ TEST(Renderers, ShowTheSameFlow) {
     EXPECT_GT(cast.x, 4.0);
     EXPECT_NEAR(drawn.x, cast.x, 0.5);
     EXPECT_NEAR(drawn.y, cast.y, 0.5);
+}
+
+GroundPiece ground_at(const Vector3d& middle_m, double lean_rad, const Eigen::Vector2d& size_m,
+                      const Look& look) {
+    GroundPiece piece;
+    piece.T_world_ground = Eigen::Translation3d(middle_m) * Eigen::AngleAxisd(lean_rad, Vector3d::UnitY());
+    piece.size_m = size_m;
+    piece.look = look;
+    return piece;
+}
+
+/// Two treads down on the left, a kerb on the right, a ramp that rises behind them, and a post on the ramp.
+World world_with_ground() {
+    World world;
+    world.floor = {Surface::Plain, 120.0, 3};
+    world.ground = {ground_at({1.35, 0.4, -0.17}, 0.0, {0.3, 0.7}, {Surface::Plain, 180.0, 1}),
+                    ground_at({1.65, 0.4, -0.34}, 0.0, {0.3, 0.7}, {Surface::Plain, 80.0, 1}),
+                    ground_at({1.7, -0.5, 0.06}, 0.0, {0.5, 0.6}, {Surface::Plain, 200.0, 1}),
+                    ground_at({3.2, 0.0, 0.12}, -0.12, {2.0, 2.4}, {Surface::Plain, 60.0, 1})};
+    world.solids = {solid_at(Cylinder{0.1, 1.0}, {2.9, 0.2, 0.4}, 0.0, {Surface::Plain, 220.0, 1})};
+    return world;
+}
+
+TEST(Renderers, DrawTheSameGround) {
+    const World world = world_with_ground();
+    for (const Pose2& pose : {robot_pose, Pose2{2.9, -0.1, 2.9}}) {
+        const Pictures pictures = pictures_of(world, camera_of(), pose);
+        EXPECT_LT(difference(pictures.drawn, pictures.cast), 0.15);
+        World bare = world;
+        bare.ground.clear();
+        EXPECT_GT(difference(pictures.drawn, RayCaster(bare, camera_of()).render(pose, moment_s)), 3.0);
+    }
+}
+
+TEST(Renderers, HaveTheSameDepthOfGround) {
+    const World world = world_with_ground();
+    CameraSimulator drawn(world, clean(camera_of()));
+    RayCaster cast(world, camera_of());
+    for (const Pose2& pose : {robot_pose, Pose2{2.9, -0.1, 2.9}}) {
+        const cv::Mat1f of_drawn = drawn.depth_m(pose, moment_s);
+        const cv::Mat1f of_cast = cast.depth_m(pose, moment_s);
+        int apart = 0;
+        for (int v = 0; v < of_drawn.rows; ++v)
+            for (int u = 0; u < of_drawn.cols; ++u) apart += std::abs(of_drawn(v, u) - of_cast(v, u)) > 1e-4F;
+        EXPECT_LE(apart, 8);
+    }
+}
+
+/// A post and a slanting box under a light from the left, a lamp ahead, a mat, and the robot's own shadow.
+World world_in_light(double soft_m) {
+    World world;
+    world.floor = {Surface::Plain, 120.0, 3};
+    world.solids = {solid_at(Cylinder{0.1, 0.8}, {2.0, 0.3, 0.4}, 0.0, {Surface::Plain, 60.0, 1}),
+                    solid_at(Box{{0.3, 0.4, 0.5}}, {2.3, -0.6, 0.25}, 0.4, {Surface::Plain, 160.0, 1}),
+                    solid_at(Box{{0.4, 0.4, 0.05}}, {5.0, 0.2, 2.5}, 0.0, {Surface::Lamp, 250.0, 1}),
+                    solid_at(Box{{0.6, 0.4, 0.001}}, {1.4, 0.2, 0.0005}, 0.2, {Surface::Plain, 180.0, 1})};
+    world.solids[2].solid = world.solids[3].solid = false;
+    world.ground = {ground_at({1.5, -0.7, -0.2}, 0.0, {0.4, 0.3}, {Surface::Plain, 90.0, 1})};
+    world.shadow_light = ShadowLight{
+        {-0.7, 0.6, 1.0}, 0.5, soft_m, ShadowBody{{{0.3, 0.2}, {-0.3, 0.2}, {-0.3, -0.2}, {0.3, -0.2}}, 1.2}};
+    return world;
+}
+
+TEST(Renderers, DrawTheSameShadowsAndReflections) {
+    for (const double soft_m : {0.0, 0.15}) {
+        const World world = world_in_light(soft_m);
+        const Pictures pictures = pictures_of(world, camera_of());
+        const double same = difference(pictures.drawn, pictures.cast);
+        EXPECT_LT(same, 0.2) << soft_m;
+        World dark = world;
+        dark.shadow_light.reset();
+        EXPECT_GT(difference(pictures.drawn, RayCaster(dark, camera_of()).render(robot_pose, moment_s)), 1.0);
+        World dull = world;
+        dull.solids[2].look.surface = Surface::Plain;
+        EXPECT_GT(difference(pictures.drawn, RayCaster(dull, camera_of()).render(robot_pose, moment_s)), 0.3);
+    }
+}
+
+/// Grey at the pixel that shows a point of the floor.
+int grey_at(const cv::Mat1b& picture, const CameraModel& camera, const Pose2& pose,
+            const Eigen::Vector2d& at_m) {
+    const auto pixel = project({camera, pose, 0.0}, {at_m.x(), at_m.y(), 0.0});
+    return picture(static_cast<int>(std::lround(pixel->y())), static_cast<int>(std::lround(pixel->x())));
+}
+
+TEST(Renderers, ThrowShadowsAwayFromTheLight) {
+    World world;
+    world.floor = {Surface::Plain, 120.0, 3};
+    world.solids = {solid_at(Cylinder{0.05, 0.5}, {1.8, 0.0, 0.25}, 0.0, {Surface::Plain, 60.0, 1})};
+    const CameraModel camera = camera_of();
+    for (const double side : {1.0, -1.0}) {
+        world.shadow_light = ShadowLight{{0.0, side, 1.0}, 0.5, 0.0, {}};
+        const cv::Mat1b picture = pictures_of(world, camera, {}).drawn;
+        EXPECT_NEAR(grey_at(picture, camera, {}, {1.8, -side * 0.3}), 60, 2);
+        EXPECT_NEAR(grey_at(picture, camera, {}, {1.8, side * 0.3}), 120, 2);
+    }
+}
+
+TEST(Renderers, TheRobotsOwnShadowMovesWithIt) {
+    World world;
+    world.floor = {Surface::Plain, 120.0, 3};
+    world.shadow_light = ShadowLight{{-1.0, 0.0, 1.0}, 0.5, 0.0, ShadowBody{RobotModel{}.footprint_m, 1.2}};
+    const CameraModel camera = camera_of();
+    for (const double x_m : {0.0, 0.7}) {
+        const Pose2 pose{x_m, 0.0, 0.0};
+        const cv::Mat1b picture = pictures_of(world, camera, pose).drawn;
+        EXPECT_NEAR(grey_at(picture, camera, pose, {x_m + 1.3, 0.0}), 60, 2);
+        EXPECT_NEAR(grey_at(picture, camera, pose, {x_m + 1.6, 0.0}), 120, 2);
+        EXPECT_NEAR(grey_at(picture, camera, pose, {x_m + 1.3, 0.3}), 120, 2);
+    }
+}
+
+TEST(Renderers, TheReflectionOfALampIsWhereItsMirrorImageIs) {
+    World world;
+    world.floor = {Surface::Tiles, 0.0, 3};  // black: only the reflection is seen
+    world.solids = {solid_at(Box{{0.4, 0.4, 0.05}}, {5.0, 0.4, 2.5}, 0.0, {Surface::Lamp, 250.0, 1})};
+    const CameraModel camera = camera_of();
+    for (const Pose2& pose : {Pose2{}, Pose2{0.5, 0.2, 0.1}}) {
+        const cv::Mat1b picture = pictures_of(world, camera, pose).drawn;
+        double brightest = 0.0;
+        cv::Point at;
+        cv::minMaxLoc(picture(cv::Rect(0, 100, 320, 140)), nullptr, &brightest, nullptr, &at);
+        const auto mirror = project({camera, pose, 0.0}, {5.0, 0.4, -2.5});
+        EXPECT_NEAR(at.x, mirror->x(), 4.0);
+        EXPECT_NEAR(at.y + 100, mirror->y(), 4.0);
+        EXPECT_NEAR(brightest, 0.35 * 250.0, 3.0);
+    }
+}
+
+TEST(Renderers, AGlassPaneIsSeenByNeither) {
+    World world;
+    world.floor.surface = Surface::Plain;
+    Solid pane = solid_at(Box{{0.01, 2.0, 2.0}}, {1.5, 0.0, 1.0}, 0.0, {});
+    world.solids = {pane};
+    const cv::Mat1b opaque = pictures_of(world, camera_of()).drawn;
+    world.solids[0].visible = false;
+    const Pictures glass = pictures_of(world, camera_of());
+    world.solids.clear();
+    const Pictures nothing = pictures_of(world, camera_of());
+    EXPECT_EQ(difference(glass.drawn, nothing.drawn), 0.0);
+    EXPECT_EQ(difference(glass.cast, nothing.cast), 0.0);
+    EXPECT_GT(difference(opaque, nothing.drawn), 5.0);
 }
 
 TEST(Renderers, OfOpenGlRefusesWaves) {

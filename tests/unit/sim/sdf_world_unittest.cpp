@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "flownav/sim/generate_world.h"
+#include "flownav/sim/world_look.h"
 
 namespace flownav::sim {
 namespace {
@@ -128,7 +129,7 @@ TEST(SdfWorld, TheGroundPlaneIsTheFloorWithItsLook) {
 TEST(SdfWorld, OtherPlanesMeshesAndIncludesAreLeftOutWithAWarning) {
     const LoadedWorld loaded =
         load("left_out",
-             ground("Gazebo/Grey", "0 0 1 0 0 0") + "<include><uri>model://sun</uri></include>" +
+             ground("Gazebo/Grey", "0 0 1 0 0.6 0") + "<include><uri>model://sun</uri></include>" +
                  "<model name='m'><link name='l'><collision name='c'><geometry><mesh><uri>a.dae</uri></mesh>"
                  "</geometry></collision></link></model>" +
                  post_model("post", "0 0 0 0 0 0"));
@@ -137,6 +138,65 @@ TEST(SdfWorld, OtherPlanesMeshesAndIncludesAreLeftOutWithAWarning) {
     for (const std::string& warning : loaded.warnings)
         EXPECT_NE(warning.find("left_out.world: "), std::string::npos);
     EXPECT_NE(loaded.warnings[0].find("model://sun"), std::string::npos) << loaded.warnings[0];
+}
+
+TEST(SdfWorld, PlanesAtOtherHeightsAndBoxesOfGroundArePiecesOfGround) {
+    const World world =
+        load("ground",
+             "<model name='step'><pose>2 1 -0.17 0 0 0.5</pose><link name='l'><collision name='c'>"
+             "<geometry><plane><normal>0 0 1</normal><size>0.3 2</size></plane></geometry></collision>"
+             "<visual name='v'><geometry><plane><normal>0 0 1</normal><size>0.3 2</size></plane>"
+             "</geometry><material><script><uri>x</uri><name>flownav/Tiles 90 7</name></script>"
+             "</material></visual></link></model>"
+             "<model name='ground_ramp'><pose>5 0 0.1 0 -0.1 0</pose><link name='l'><collision name='c'>"
+             "<geometry><box><size>2 1 0.4</size></box></geometry></collision></link></model>" +
+                 post_model("post", "0 0 0.5 0 0 0"))
+            .world;
+    EXPECT_EQ(world.solids.size(), 1U);
+    ASSERT_EQ(world.ground.size(), 2U);
+    EXPECT_EQ(world.ground[0].name, "step");
+    EXPECT_EQ(world.ground[0].look.surface, Surface::Tiles);
+    EXPECT_EQ(world.ground[0].size_m, Eigen::Vector2d(0.3, 2.0));
+    EXPECT_NEAR(world.ground[0].T_world_ground.translation().z(), -0.17, 1e-12);
+    EXPECT_EQ(world.ground[1].size_m, Eigen::Vector2d(2.0, 1.0));
+    // Its top is half of its height above its middle, along its normal.
+    EXPECT_NEAR(world.ground[1].T_world_ground.translation().z(), 0.1 + 0.2 * std::cos(0.1), 1e-12);
+    EXPECT_LT(world.ground[1].T_world_ground.linear()(0, 2), 0.0);
+}
+
+TEST(SdfWorld, BoxesOfGroundThatLeanTooFarStaySolids) {
+    const LoadedWorld loaded =
+        load("steep",
+             "<model name='ground_wall'><pose>5 0 0.1 0 0.5 0</pose><link name='l'><collision name='c'>"
+             "<geometry><box><size>2 1 0.4</size></box></geometry></collision></link></model>");
+    EXPECT_EQ(loaded.world.solids.size(), 1U);
+    EXPECT_TRUE(loaded.world.ground.empty());
+}
+
+TEST(SdfWorld, GroundLampsAndShadowsAreWrittenAndReadAgain) {
+    for (const WorldKind kind : {WorldKind::Stairs, WorldKind::Ramp}) {
+        World world = generate_world(kind, 2);
+        furnish_as_real(world, 2);
+        const World read = read_sdf_world(file_with("real", to_sdf(world))).world;
+        EXPECT_EQ(to_sdf(read_sdf_world(file_with("real2", to_sdf(read))).world), to_sdf(read));
+        ASSERT_EQ(read.ground.size(), world.ground.size());
+        for (std::size_t i = 0; i < read.ground.size(); ++i) {
+            EXPECT_EQ(read.ground[i].name, world.ground[i].name);
+            EXPECT_TRUE(read.ground[i].T_world_ground.isApprox(world.ground[i].T_world_ground, 1e-8));
+        }
+        ASSERT_TRUE(read.shadow_light.has_value());
+        EXPECT_NEAR((read.shadow_light->towards - world.shadow_light->towards).norm(), 0.0, 1e-8);
+        EXPECT_NEAR(read.shadow_light->soft_m, world.shadow_light->soft_m, 1e-8);
+        EXPECT_EQ(read.solids.size(), world.solids.size());
+    }
+}
+
+TEST(SdfWorld, ShadowsThatGoWrongAreNamed) {
+    for (const char* wrong : {"0 0 1 0.5", "0 0 -1 0.5 0.1", "0 0 1 1.5 0.1", "0 0 1 0.5 0.1 7", "a"}) {
+        const std::string error = complaint(
+            file_with("shadows", sdf("<flownav:shadows>" + std::string(wrong) + "</flownav:shadows>")));
+        EXPECT_NE(error.find(wrong), std::string::npos) << error;
+    }
 }
 
 std::string walker(const std::string& script) {
@@ -247,7 +307,7 @@ TEST(SdfWorld, WhatIsWrittenIsReadAsTheSameWorld) {
 }
 
 TEST(SdfWorld, EverySurfaceIsWrittenAndReadAgain) {
-    for (int number = 0; number <= static_cast<int>(Surface::Marbled); ++number) {
+    for (int number = 0; number <= static_cast<int>(Surface::Lamp); ++number) {
         World world;
         world.floor = {static_cast<Surface>(number), 90.0, 7};
         EXPECT_EQ(static_cast<int>(read_sdf_world(file_with("floor", to_sdf(world))).world.floor.surface),

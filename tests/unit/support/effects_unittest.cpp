@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "flownav/math/units.h"
+#include "flownav/sim/ground.h"
 #include "flownav/testing/scene.h"
 
 namespace flownav::testing {

@@ -1,6 +1,7 @@
 #include "cast.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace flownav::sim {
@@ -10,6 +11,9 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double nearest_t = 1e-4;
+
+/// Faces of the sides of a piece of ground, see PlanPiece.
+constexpr std::array<Face, 4> face_of_side = {SideNegY, SidePosX, SidePosY, SideNegX};
 
 /// Slab test. The ray is in the box's frame; false when it misses or starts inside.
 bool meet(const Box& box, const Ray& ray, Hit& hit) {
@@ -111,6 +115,20 @@ Tangent tangent_of_sphere(const PlacedSolid& s, double radius_m, const Vector3d&
             uv_m};
 }
 
+Tangent tangent_of_ground(const GroundPiece& piece, const Hit& hit, const Vector3d& point_m) {
+    const Eigen::Matrix3d R = piece.T_world_ground.linear();
+    const Vector3d local = piece.T_world_ground.inverse() * point_m;
+    if (hit.face == Top) return {R.col(2), R.col(0), R.col(1), local.head<2>()};
+    const int axis = hit.face < SideNegY ? 0 : 1;
+    const bool negative = hit.face == SideNegX || hit.face == SideNegY;
+    const Vector2d level = R.col(1 - axis).head<2>().normalized();
+    const Vector3d along(level.x(), level.y(), 0.0);
+    Vector3d outward = along.cross(Vector3d::UnitZ());
+    if (outward.dot(R.col(axis)) < 0.0) outward = -outward;
+    if (negative != hit.inner) outward = -outward;
+    return {outward, along, Vector3d::UnitZ(), Vector2d(local[1 - axis] + 10.0 * hit.face, point_m.z())};
+}
+
 }  // namespace
 
 std::vector<PlacedSolid> solids_at(const World& world, double time_s) {
@@ -131,22 +149,28 @@ std::vector<int> visible_of(const std::vector<PlacedSolid>& solids) {
     return visible;
 }
 
-Hit cast(const std::vector<PlacedSolid>& solids, const Floor& floor, const std::vector<int>& candidates,
+Hit cast(const std::vector<PlacedSolid>& solids, const Ground& ground, const std::vector<int>& candidates,
          const Ray& ray) {
     Hit hit;
-    if (ray.direction.z() < -1e-9) {
-        hit.solid = floor_index;
-        hit.t = floor.meet(ray);
+    const GroundHit below = ground.meet(ray);
+    if (std::isfinite(below.t)) {
+        const int face = below.side < 0 ? Top : face_of_side[static_cast<std::size_t>(below.side)];
+        hit = {floor_index, face, below.t, below.piece, below.inner};
     }
     for (const int i : candidates) {
         const PlacedSolid& s = solids[static_cast<std::size_t>(i)];
         const Ray local{s.local_point(ray.origin_m), s.to_local(ray.direction)};
-        if (std::visit([&](const auto& shape) { return meet(shape, local, hit); }, s.shape)) hit.solid = i;
+        if (!std::visit([&](const auto& shape) { return meet(shape, local, hit); }, s.shape)) continue;
+        hit.solid = i;
+        hit.piece = bare_floor;
     }
     return hit;
 }
 
-Tangent tangent_at(const std::vector<PlacedSolid>& solids, const Hit& hit, const Vector3d& point_m) {
+Tangent tangent_at(const std::vector<PlacedSolid>& solids, const std::vector<GroundPiece>& ground,
+                   const Hit& hit, const Vector3d& point_m) {
+    if (hit.piece != bare_floor)
+        return tangent_of_ground(ground[static_cast<std::size_t>(hit.piece)], hit, point_m);
     if (hit.solid < 0) return {Vector3d::UnitZ(), Vector3d::UnitX(), Vector3d::UnitY(), point_m.head<2>()};
     const PlacedSolid& s = solids[static_cast<std::size_t>(hit.solid)];
     const Vector3d local = s.local_point(point_m);
@@ -169,11 +193,13 @@ RayFrame::RayFrame(const View& view) {
     const double b = std::sin(mount.pitch_rad);
     const double c = std::cos(view.T_world_robot.yaw_rad);
     const double s = std::sin(view.T_world_robot.yaw_rad);
-    const auto to_world = [c, s](double x, double y, double z) {
-        return Vector3d(c * x - s * y, s * x + c * y, z);
+    const auto to_world = [&, c, s](double x, double y, double z) {
+        const Vector3d flat = view.T_flat_robot.linear() * Vector3d(x, y, z);
+        return Vector3d(c * flat.x() - s * flat.y(), s * flat.x() + c * flat.y(), flat.z());
     };
-    const Vector2d foot = transform(view.T_world_robot, Vector2d(mount.forward_m, mount.left_m));
-    origin_m = {foot.x(), foot.y(), mount.height_m};
+    const Vector3d eye = view.T_flat_robot * Vector3d(mount.forward_m, mount.left_m, mount.height_m);
+    const Vector2d foot = transform(view.T_world_robot, Vector2d(eye.head<2>()));
+    origin_m = {foot.x(), foot.y(), eye.z()};
     right = to_world(0.0, -1.0, 0.0);
     down = to_world(-b, 0.0, -a);
     forward = to_world(a, 0.0, -b);

@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "floor.h"
 #include "flownav/sim/truth.h"
+#include "ground.h"
 
 namespace flownav::sim {
 
@@ -17,6 +17,8 @@ struct Hit {
     int solid = no_surface;  ///< index, floor_index or no_surface
     int face = Top;
     double t = std::numeric_limits<double>::infinity();
+    int piece = bare_floor;  ///< of the ground, index into World::ground, when solid is floor_index
+    bool inner = false;      ///< the wall of a piece that faces its inside
 };
 
 /// A solid at one moment.
@@ -41,8 +43,8 @@ std::vector<PlacedSolid> solids_at(const World& world, double time_s);
 /// Indices of the visible solids.
 std::vector<int> visible_of(const std::vector<PlacedSolid>& solids);
 
-/// First surface that the ray meets: the floor, or one of the named solids.
-Hit cast(const std::vector<PlacedSolid>& solids, const Floor& floor, const std::vector<int>& candidates,
+/// First surface that the ray meets: the ground, or one of the named solids.
+Hit cast(const std::vector<PlacedSolid>& solids, const Ground& ground, const std::vector<int>& candidates,
          const Ray& ray);
 
 /// Plane that touches the surface at a hit, and the place of the point on its texture: u and v, metres.
@@ -53,7 +55,8 @@ struct Tangent {
     Eigen::Vector2d uv_m;
 };
 
-Tangent tangent_at(const std::vector<PlacedSolid>& solids, const Hit& hit, const Eigen::Vector3d& point_m);
+Tangent tangent_at(const std::vector<PlacedSolid>& solids, const std::vector<GroundPiece>& ground,
+                   const Hit& hit, const Eigen::Vector3d& point_m);
 
 /// Rays of a view: the camera's position, and the direction of a level ray (x, y, 1).
 struct RayFrame {

@@ -51,8 +51,4 @@ double Floor::meet(const Ray& ray) const {
     return t;
 }
 
-double ground_height_m(const World& world, const Vector2d& at_m) {
-    return Floor(world.waves).height_m(at_m);
-}
-
 }  // namespace flownav::sim

@@ -14,7 +14,7 @@ struct Ray {
     Eigen::Vector3d direction;
 };
 
-/// The floor's surface: the plane z = 0, or a sum of waves.
+/// The bare floor's surface: the plane z = 0, or a sum of waves.
 class Floor {
   public:
     explicit Floor(const FloorWaves& waves);

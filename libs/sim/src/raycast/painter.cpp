@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 constexpr int edge_rays = 6;  ///< per axis, in pixels that show more than one surface
 
 bool same_surface(const Hit& a, const Hit& b) {
-    return a.solid == b.solid && a.face == b.face;
+    return a.solid == b.solid && a.face == b.face && a.piece == b.piece;
 }
 
 /// Place of (u, v) in an array of rows of `columns`.
@@ -46,11 +46,17 @@ ScenePainter::ScenePainter(const World& world, const View& view)
       sky_grey_(world.sky_grey),
       shading_(world.shading),
       frame_(view),
-      floor_(world.waves),
+      ground_(world),
+      pieces_(world.ground),
+      floor_light_(world, view.T_world_robot, view.time_s, frame_.origin_m),
       solids_(solids_at(world, view.time_s)),
       corners_(corner_rays(view.camera)) {
     for (const Solid& s : world.solids) samplers_.emplace_back(s.look);
     samplers_.emplace_back(world.floor);
+    for (const GroundPiece& piece : world.ground) {
+        tops_.emplace_back(piece.look);
+        walls_.emplace_back(wall_look(piece));
+    }
 }
 
 const Vector2d& ScenePainter::corner(int u, int v) const {
@@ -58,7 +64,7 @@ const Vector2d& ScenePainter::corner(int u, int v) const {
 }
 
 Hit ScenePainter::hit_at(const std::vector<int>& tile, const Vector2d& level_ray) const {
-    return cast(solids_, floor_, tile, {frame_.origin_m, frame_.direction(level_ray)});
+    return cast(solids_, ground_, tile, {frame_.origin_m, frame_.direction(level_ray)});
 }
 
 std::vector<int> ScenePainter::tile_candidates(int u0, int v0, int u1, int v1) const {
@@ -112,11 +118,17 @@ double ScenePainter::light_on(const Vector3d& normal) const {
     return (1.0 - shading_) + shading_ * std::max(0.0, normal.dot(towards_light)) / towards_light.z();
 }
 
+const TextureSampler& ScenePainter::sampler_of(const Hit& hit) const {
+    if (hit.solid >= 0) return samplers_[static_cast<std::size_t>(hit.solid)];
+    if (hit.piece == bare_floor) return samplers_.back();
+    return (hit.face == Top ? tops_ : walls_)[static_cast<std::size_t>(hit.piece)];
+}
+
 double ScenePainter::shade(const Hit& hit, const Vector2d& level_ray, const Vector2d& right,
                            const Vector2d& down) const {
     if (hit.solid == no_surface) return sky_grey_;
     const Vector3d direction = frame_.direction(level_ray);
-    const Tangent tangent = tangent_at(solids_, hit, frame_.origin_m + hit.t * direction);
+    const Tangent tangent = tangent_at(solids_, pieces_, hit, frame_.origin_m + hit.t * direction);
     const double facing = std::min(tangent.normal.dot(direction), -0.02);
     // Motion of the point on the tangent plane when the ray turns by a pixel.
     const auto on_surface = [&](const Vector2d& step) {
@@ -124,9 +136,13 @@ double ScenePainter::shade(const Hit& hit, const Vector2d& level_ray, const Vect
         const Vector3d moved = hit.t * (turn - direction * (tangent.normal.dot(turn) / facing));
         return Vector2d(tangent.u_axis.dot(moved), tangent.v_axis.dot(moved));
     };
-    const std::size_t sampler = hit.solid < 0 ? samplers_.size() - 1 : static_cast<std::size_t>(hit.solid);
-    return light_on(tangent.normal) *
-           samplers_[sampler].grey({tangent.uv_m, on_surface(right), on_surface(down)});
+    const TextureFootprint footprint{tangent.uv_m, on_surface(right), on_surface(down)};
+    const double grey = light_on(tangent.normal) * sampler_of(hit).grey(footprint);
+    const Vector3d at_m = frame_.origin_m + hit.t * direction;
+    if (floor_light_.empty() || hit.piece != bare_floor || at_m.z() > mark_height_m ||
+        tangent.normal.z() < 0.99)
+        return grey;
+    return floor_light_.lit(grey, at_m.head<2>(), footprint.right_m, footprint.down_m);
 }
 
 }  // namespace flownav::sim

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "candidates.h"
+#include "floor_light.h"
 #include "flownav/sim/surface_texture.h"
 
 namespace flownav::sim {
@@ -25,15 +26,20 @@ class ScenePainter {
     std::vector<int> tile_candidates(int u0, int v0, int u1, int v1) const;
     double pixel(const std::vector<int>& tile, int u, int v, bool uniform) const;
     double light_on(const Eigen::Vector3d& normal) const;
+    const TextureSampler& sampler_of(const Hit& hit) const;
     double shade(const Hit& hit, const Eigen::Vector2d& level_ray, const Eigen::Vector2d& right,
                  const Eigen::Vector2d& down) const;
 
     int width_, height_;
     double sky_grey_, shading_;
     RayFrame frame_;
-    Floor floor_;
+    Ground ground_;
+    std::vector<GroundPiece> pieces_;
+    FloorLight floor_light_;
     std::vector<PlacedSolid> solids_;
     std::vector<TextureSampler> samplers_;  ///< of the solids; the floor's comes last
+    std::vector<TextureSampler> tops_;      ///< of the pieces of ground
+    std::vector<TextureSampler> walls_;
     std::vector<Eigen::Vector2d> corners_;  ///< level rays of the pixels' corners
 };
 

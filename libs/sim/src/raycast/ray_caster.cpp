@@ -31,15 +31,15 @@ RayCaster::RayCaster(World world, const CameraModel& camera) : world_(std::move(
 
 cv::Mat1b RayCaster::render(const Pose2& T_world_robot, double time_s) {
     cv::Mat1b picture;
-    cast_light(world_, {camera_, T_world_robot, time_s}).convertTo(picture, CV_8U);
+    cast_light(world_, on_ground(world_, {camera_, T_world_robot, time_s})).convertTo(picture, CV_8U);
     return picture;
 }
 
 cv::Mat1f RayCaster::depth_m(const Pose2& T_world_robot, double time_s) {
-    const View view{camera_, T_world_robot, time_s};
+    const View view = on_ground(world_, {camera_, T_world_robot, time_s});
     const RayFrame frame(view);
     const RayMapper mapper(camera_);
-    const Floor floor(world_.waves);
+    const Ground ground(world_);
     const std::vector<PlacedSolid> solids = solids_at(world_, time_s);
     const std::vector<int> visible = visible_of(solids);
     const Eigen::Matrix3d R_mounted_level = level_rotation(camera_.mount).transpose();
@@ -47,7 +47,7 @@ cv::Mat1f RayCaster::depth_m(const Pose2& T_world_robot, double time_s) {
     for (int v = 0; v < depth.rows; ++v) {
         for (int u = 0; u < depth.cols; ++u) {
             const Eigen::Vector2d level_ray = mapper.ray(Eigen::Vector2d(u, v));
-            const Hit hit = cast(solids, floor, visible, {frame.origin_m, frame.direction(level_ray)});
+            const Hit hit = cast(solids, ground, visible, {frame.origin_m, frame.direction(level_ray)});
             if (hit.solid == no_surface) continue;
             const double share = (R_mounted_level * level_ray.homogeneous()).z();
             depth(v, u) = static_cast<float>(hit.t * share);

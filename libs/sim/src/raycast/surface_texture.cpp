@@ -94,6 +94,8 @@ double usual_grey(Surface surface) {
             return 100.0;
         case Surface::Faint:
             return 80.0;
+        case Surface::Lamp:
+            return 128.0;
     }
     return 128.0;
 }
@@ -102,6 +104,7 @@ TextureSampler::TextureSampler(const Look& look)
     : base_(usual_grey(look.surface)), shade_(look.grey / base_), seed_(look.seed) {
     switch (look.surface) {
         case Surface::Plain:
+        case Surface::Lamp:
             break;
         case Surface::Carpet:
             add_octaves(0.45, 0.0025, 0.55, 7.0, 1.12);

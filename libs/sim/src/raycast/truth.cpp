@@ -1,6 +1,7 @@
 #include "flownav/sim/truth.h"
 
 #include "cast.h"
+#include "flownav/sim/ground.h"
 
 namespace flownav::sim {
 namespace {
@@ -10,7 +11,7 @@ using Eigen::Vector3d;
 
 Hit cast_all(const World& world, const View& view, const Ray& ray) {
     const std::vector<PlacedSolid> solids = solids_at(world, view.time_s);
-    return cast(solids, Floor(world.waves), visible_of(solids), ray);
+    return cast(solids, Ground(world), visible_of(solids), ray);
 }
 
 bool inside(const CameraModel& camera, const Vector2d& pixel_px) {
@@ -32,6 +33,11 @@ Vector3d carried(const Solid& solid, const Vector3d& point_m, double from_s, dou
 }
 
 }  // namespace
+
+View on_ground(const World& world, View view) {
+    view.T_flat_robot = ride_on_ground(world, view.T_world_robot);
+    return view;
+}
 
 std::optional<Sight> look(const World& world, const View& view, const Vector2d& pixel_px) {
     const RayFrame frame(view);

@@ -25,7 +25,8 @@ class DriveRecorder : public DriveObserver {
 
     void on_field(const Field& field, const pipeline::Step& step) override;
     void on_odometry(double timestamp_s, const Pose2& T_odom_robot) override;
-    void on_truth(double timestamp_s, const Pose2& T_world_robot) override;
+    void on_truth(double timestamp_s, const Pose2& T_world_robot,
+                  const Eigen::Isometry3d& T_flat_robot) override;
     void on_decision(const DriveSample& sample, const nav::NavigationStack& stack) override;
 
     /// Writes all waiting data, closes the files and renames the rawlog to its final name. Throws

@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Geometry>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -24,8 +25,10 @@ class DriveRecording {
     void write_odometry(double timestamp_s, const Pose2& T_odom_robot);
     /// Writes a CObservationIMU labelled IMU.
     void write_gyro(const GyroRate& reading);
-    /// Writes a CObservationRobotPose labelled GROUND_TRUTH.
-    void write_truth(double timestamp_s, const Pose2& T_world_robot);
+    /// Writes a CObservationRobotPose labelled GROUND_TRUTH. `T_flat_robot`: height and tilt of the robot, in
+    /// the frame that T_world_robot has on the plane z = 0.
+    void write_truth(double timestamp_s, const Pose2& T_world_robot,
+                     const Eigen::Isometry3d& T_flat_robot = Eigen::Isometry3d::Identity());
 
     void complete();
 

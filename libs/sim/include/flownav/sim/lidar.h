@@ -6,9 +6,10 @@
 
 namespace flownav::sim {
 
-/// An ideal 2D lidar above the axis the robot turns about: exact ranges, all beams at one instant.
+/// An ideal 2D lidar above the axis the robot turns about: exact ranges, all beams at one instant. Its plane
+/// is level, also on a ramp.
 struct LidarParams {
-    double height_m = 0.3;  ///< of its plane
+    double height_m = 0.3;  ///< of its plane above the ground of the axis
     double field_of_view_deg = 270.0;
     int beams = 541;  ///< >= 2, from the right end of the field of view to the left
     double range_max_m = 8.0;

@@ -9,20 +9,25 @@
 
 namespace flownav::sim {
 
-/// A camera on a robot somewhere in the world, at one moment. A camera on a vibrating robot or an uneven
-/// floor is a camera with another mount.
+/// A camera on a robot somewhere in the world, at one moment. A camera on a vibrating robot is a camera with
+/// another mount.
 struct View {
     CameraModel camera;
     Pose2 T_world_robot;
     double time_s = 0.0;  ///< after the start of the world
+    /// Height and tilt of the robot on its ground, in the frame of T_world_robot on the plane z = 0.
+    Eigen::Isometry3d T_flat_robot = Eigen::Isometry3d::Identity();
 };
+
+/// The view with the robot on the pieces of ground of the world, see ride_on_ground().
+View on_ground(const World& world, View view);
 
 constexpr int floor_index = -1;
 
 /// Surface that a pixel shows.
 struct Sight {
-    int solid = floor_index;  ///< index into World::solids, or floor_index
-    int object = 0;           ///< Solid::object; 0 on the floor
+    int solid = floor_index;  ///< index into World::solids, or floor_index for the ground
+    int object = 0;           ///< Solid::object; 0 on the ground
     double depth_m = 0.0;     ///< along the optical axis of the LEVEL camera (see RayMapper)
     Eigen::Vector3d point_m = Eigen::Vector3d::Zero();  ///< in the world frame
 };

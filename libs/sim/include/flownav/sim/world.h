@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "flownav/core/pose2.h"
+#include "flownav/math/footprint.h"
 
 namespace flownav::sim {
 
@@ -35,6 +36,7 @@ enum class Surface : std::uint8_t {
     Faint = 6,      ///< wood, metal or plaster: low contrast
     Stoneware = 7,  ///< tiles with fine faint specks inside
     Marbled = 8,    ///< linoleum with faint flecks and streaks
+    Lamp = 9,       ///< no texture; floors that shine show its reflection
 };
 
 /// Texture, mean grey and seed of a surface; the same numbers give the same picture.
@@ -77,7 +79,32 @@ struct FloorWaves {
     std::uint64_t seed = 0;
 };
 
-/// The floor, the plane z = 0 with its waves, and the solids on it. World frame: z up, metres.
+/// A flat piece of ground that carries the robot: a tread of a stair, the bottom of a hole, a kerb, a ramp.
+/// Below z = 0 it opens a hole in the floor. Its sides are vertical walls down to the ground beside it.
+struct GroundPiece {
+    std::string name;
+    /// Middle of the rectangle, with z along its upward normal, which leans by at most 20 degrees.
+    Eigen::Isometry3d T_world_ground = Eigen::Isometry3d::Identity();
+    Eigen::Vector2d size_m = Eigen::Vector2d::Ones();  ///< along x and y of its frame
+    Look look;                                         ///< of the top; its sides are darker
+};
+
+/// Outline and height of a body that throws a shadow.
+struct ShadowBody {
+    Polygon footprint_m;  ///< in the robot frame
+    double height_m = 1.0;
+};
+
+/// A far light that throws shadows onto the floor z = 0. Shadows of several solids darken one after another.
+struct ShadowLight {
+    Eigen::Vector3d towards{-0.3, 0.2, 1.0};  ///< direction from the floor to the light, z > 0
+    double loss = 0.5;                        ///< share of the light that a shadow takes, 0..1
+    double soft_m = 0.02;                     ///< width of a shadow's edge, >= 0
+    std::optional<ShadowBody> robot;          ///< the robot throws a shadow, too
+};
+
+/// The ground and the solids on it. The ground is the highest of the pieces at a place, and where there is
+/// none the floor: the plane z = 0 with its waves. World frame: z up, metres.
 struct World {
     std::string name;
     Look floor{Surface::Carpet, 128.0, 1};
@@ -87,10 +114,9 @@ struct World {
     FloorWaves waves = {};                ///< drawn by the ray caster only
     double sky_grey = 215.0;              ///< grey level where a ray meets neither floor nor solid
     double shading = 0.0;  ///< share of the light that depends on a face's direction, 0..1; ray caster only
+    std::vector<GroundPiece> ground = {};
+    std::optional<ShadowLight> shadow_light = {};
 };
-
-/// Height of the floor at a point of the world frame, metres.
-double ground_height_m(const World& world, const Eigen::Vector2d& at_m);
 
 /// Seconds since the epoch at which every simulated world starts.
 constexpr double sim_start_s = 1767225600.0;
