@@ -138,6 +138,7 @@ std::string report_tables(const evaluation::Drive& drive, const config::Config& 
     std::string html = html::section("Flow odometry compared", errors(summary.at("errors")));
     if (!summary.at("drive").is_null()) html += html::section("The drive", figures(summary, "drive"));
     html += html::section("Status of the fields", statuses(drive.rows));
+    html += html::section("Contact scan", figures(summary, "contacts"));
     html += html::section("Why fields were bad", figures(summary, "bad_fields"));
     html += html::section("What was rejected, and why", rejected(drive.read));
     html += html::section("What was read", figures(summary, "read"));
