@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <opencv2/core.hpp>
 
 #include "flownav/report/cause_style.h"
 #include "flownav/testing/truth.h"
