@@ -7,7 +7,7 @@ namespace flownav::report {
 const std::array<CauseStyle, 4>& cause_styles() {
     static const std::array<CauseStyle, 4> all = {{
         {BeamCause::Votes, palette::vermilion, "contact"},
-        {BeamCause::Wall, palette::purple, "wall"},
+        {BeamCause::Wall, palette::sky_blue, "wall"},
         {BeamCause::Drop, palette::yellow, "drop"},
         {BeamCause::Blocks, palette::orange, "blocks"},
     }};

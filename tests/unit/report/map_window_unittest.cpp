@@ -46,7 +46,7 @@ TEST(MapWindow, AContactIsALineInTheColourOfItsCause) {
     const ContactSegment wall = {{1.0, -0.5}, {1.0, 0.5}, {0.9, 0.0}, {1.1, 0.0}, BeamCause::Wall};
     const cv::Mat picture = map_window(Grid(-1, 1, -1, 1, 0.1F), {{Pose2{}}, {}, {wall}}, size_m, size_px);
     for (const double y_m : {-0.45, -0.2, 0.2, 0.45})
-        EXPECT_EQ(at(picture, 1.0, y_m), palette::purple.bgr()) << y_m;
+        EXPECT_EQ(at(picture, 1.0, y_m), palette::sky_blue.bgr()) << y_m;
     EXPECT_EQ(at(picture, 1.0, 0.6), cv::Vec3b(128, 128, 128)) << "beside its end";
     EXPECT_EQ(at(picture, -1.0, 0.2), cv::Vec3b(128, 128, 128)) << "behind the robot";
 }

@@ -146,7 +146,7 @@ TEST(Report, PicturesHoldTheirContactsWithTheColoursOfTheCauses) {
     const json picture = data_of(report_of(sample_drive(60)))["pictures"][0];
     ASSERT_EQ(picture["contacts"].size(), 3U);
     EXPECT_EQ(picture["contacts"][0][4], "#d55e00") << "votes, on the left";
-    EXPECT_EQ(picture["contacts"][1][4], "#cc79a7") << "a wall, on the right";
+    EXPECT_EQ(picture["contacts"][1][4], "#56b4e9") << "a wall, on the right";
     EXPECT_GT(picture["contacts"][0][1].get<double>(), picture["contacts"][1][1].get<double>());
     EXPECT_EQ(picture["strips"], json({2, 1, 1, 1, 0, 1})) << "floor, contact, wall, drop, blocks, unknown";
     EXPECT_EQ(count_of(report_of(sample_drive(60)), "data-key='strip."), 6U);
