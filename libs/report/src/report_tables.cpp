@@ -50,8 +50,11 @@ std::string figure_rows(const Json& part, const std::string& path) {
             rows += row(explained({name, value_cell(value)}, key), key);
             continue;
         }
-        for (const auto& [label, count] : value.items())
-            rows += row(explained({label, value_cell(count)}, key), joined(key, label));
+        for (const auto& [label, count] : value.items()) {
+            const std::string own_key = joined(key, label);
+            const bool has_words = figure_words(own_key) != nullptr;
+            rows += row(explained({label, value_cell(count)}, has_words ? own_key : key), own_key);
+        }
     }
     return rows;
 }
