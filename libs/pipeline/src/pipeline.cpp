@@ -104,9 +104,21 @@ void State::Impl::compare(double since_last_s) {
     record_labels(step_, classes_);
     advance(accepted, integrated, plan);
     if (!plan.ends) return;
+    scan_contacts(accepted.motion);
     reconstruct({step_.blocks, classes_, cycle_, reference_, newest_}, params_.obstacles, surroundings_);
     record_surroundings(step_, surroundings_);
     end_cycle(accepted.motion);
+}
+
+/// Scans the newest field, which ends a cycle of this motion, for contacts.
+void State::Impl::scan_contacts(const EgoMotion& motion) {
+    if (!params_.obstacles.contacts.on) return;
+    pitch_sum_rad_ += motion.pitch_rad;
+    const double way_error = motion.sigma_forward_m / std::max(std::abs(motion.forward_m), 1e-6);
+    const obstacles::CycleEnd end{newest_.field.image, newest_.mapper, T_start_robot_,
+                                  pitch_sum_rad_,      way_error,      motion.forward_measured};
+    if (obstacles::scan_cycle(contact_memory_, end, params_.obstacles.contacts, contacts_))
+        record_contacts(step_, contacts_);
 }
 
 /// Keeps the results of a field for the next one.
@@ -159,6 +171,7 @@ void State::Impl::new_layout() {
     layout_ = flow::place_blocks(newest_.mapper, params_.flow);
     coarse_layout_ = flow::every_nth(layout_, coarse_step);
     reset(classes_, layout_.size());
+    obstacles::restart(contact_memory_, newest_.mapper);
     surroundings_.scan = obstacles::scan_layout(newest_.mapper, params_.obstacles);
     record_layout(step_, layout_.size(), surroundings_.scan);
 }

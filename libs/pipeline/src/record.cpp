@@ -19,7 +19,7 @@ BlockLabel label_before_classification(bool fresh, bool valid) {
 }
 
 void clear_results(Step& step) {
-    step.restarted = step.end_of_cycle = step.v_measured = false;
+    step.restarted = step.end_of_cycle = step.v_measured = step.new_contacts = false;
     step.image_of_cycle = 0;
     step.omega_radps = step.pitch_rate_radps = step.v_mps = 0.0;
     step.motion = EgoMotion{};
@@ -101,6 +101,11 @@ void record_surroundings(Step& step, const Reconstruction& surroundings) {
     step.obstacles = surroundings.obstacles;
     step.ground = surroundings.ground;
     step.scan = surroundings.scan;
+}
+
+void record_contacts(Step& step, const ContactScan& contacts) {
+    step.contacts = contacts;
+    step.new_contacts = true;
 }
 
 void record_carried_motion(Step& step, const CarriedMotion& motion, const Pose2& T_start_robot) {

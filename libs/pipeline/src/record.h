@@ -47,6 +47,8 @@ void record_labels(Step& step, const BlockClasses& classes);
 void record_surroundings(Step& step, const Reconstruction& surroundings);
 
 /// Enters a motion that was carried over a field that cannot be compared.
+void record_contacts(Step& step, const ContactScan& contacts);
+
 void record_carried_motion(Step& step, const CarriedMotion& motion, const Pose2& T_start_robot);
 
 /// Enters how far the pose can be relied on.

@@ -5,6 +5,7 @@
 #include "carried_error.h"
 #include "cycle_plan.h"
 #include "flownav/flow/matcher.h"
+#include "flownav/obstacles/contact_scanner.h"
 #include "flownav/pipeline/pipeline.h"
 #include "measure.h"
 #include "pitch_online.h"
@@ -25,6 +26,7 @@ class State::Impl {
     void follow(const Field& field);
     void restart(bool new_camera);
     void compare(double since_last_s);
+    void scan_contacts(const EgoMotion& motion);
     void advance(const AcceptedMotion& accepted, const IntegratedMotion& integrated, const CyclePlan& plan);
     void end_cycle(const EgoMotion& motion);
     void begin_cycle();
@@ -60,6 +62,9 @@ class State::Impl {
     Measurement trial_;     ///< of a hypothesis
     BlockClasses classes_;
     Reconstruction surroundings_;
+    obstacles::ContactMemory contact_memory_;
+    ContactScan contacts_;
+    double pitch_sum_rad_ = 0.0;  ///< of all ended cycles
     CarriedError carried_error_;
     Step step_;
 };

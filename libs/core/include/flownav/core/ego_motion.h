@@ -24,10 +24,10 @@ struct EgoMotion {
     double sigma_forward_m = 0.0;   ///< standard error of T
     bool omega_measured = false;    ///< by flow, wheels or gyro; false: omega is the prediction
     bool forward_measured = false;  ///< by flow or wheels; false: T was carried over
+    int inliers = 0;                ///< vectors that support omega
+    int ground_window = 0;          ///< vectors that support T
     MotionSource omega_source = MotionSource::Prediction;
     MotionSource forward_source = MotionSource::Prediction;
-    int inliers = 0;        ///< vectors that support omega
-    int ground_window = 0;  ///< vectors that support T
 };
 
 /// T_reference_robot: the robot's pose at the newer field, in its frame at the reference field.

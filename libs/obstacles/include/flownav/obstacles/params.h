@@ -1,5 +1,7 @@
 #pragma once
 
+#include "flownav/obstacles/contact_params.h"
+
 namespace flownav::obstacles {
 
 struct ObstacleParams {
@@ -9,6 +11,7 @@ struct ObstacleParams {
     double range_max_m = 8.0;   ///< points farther away are not reported
     double height_max_m = 2.0;  ///< points higher above the ground are not reported
     double beam_deg = 2.0;      ///< width of one beam of the virtual scan
+    ContactParams contacts;
 };
 
 }  // namespace flownav::obstacles

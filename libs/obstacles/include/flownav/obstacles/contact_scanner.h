@@ -1,0 +1,72 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "flownav/core/contact_scan.h"
+#include "flownav/obstacles/contact_params.h"
+#include "flownav/obstacles/contact_votes.h"
+#include "flownav/obstacles/floor_registration.h"
+
+namespace flownav::obstacles {
+
+/// The end of a cycle: the newest image and where the camera has got to.
+struct CycleEnd {
+    const ImageView& image;
+    const RayMapper& mapper;  ///< of the image's camera
+    Pose2 T_start_robot;
+    double pitch_rad = 0.0;  ///< sum of all pitch since the start
+    double way_error = 1.0;  ///< relative standard error of the travel of this cycle
+    bool way_known = false;  ///< the travel of this cycle was measured, by flow or by the wheels
+};
+
+/// A level image that scans look back to.
+struct KeyImage {
+    LevelImage image;
+    Pose2 T_start_robot;
+    double pitch_rad = 0.0;
+};
+
+/// A place that got votes in an earlier scan, in the frame of T_start_robot.
+struct EarlierContact {
+    Eigen::Vector2d place_m = Eigen::Vector2d::Zero();
+    int scan = 0;
+};
+
+/// What one strip of one scan shows, before earlier scans are asked.
+struct StripEvidence {
+    Contact votes;
+    double floor_end_m = 0.0;   ///< floor is confirmed from the lower border of the image up to here
+    double wall_m = 0.0;        ///< foot of a surface without edges that reaches above the horizon; 0: none
+    double first_edge_m = 0.0;  ///< memory of the wall rule
+};
+
+/// Memory of the scan from cycle to cycle.
+struct ContactMemory {
+    LevelMapping mapping;
+    std::array<KeyImage, 2> keys;
+    std::size_t keys_known = 0;
+    double vignetting = 0.0;  ///< learnt fall-off of brightness at the corner of the image
+    double noise = 0.82;      ///< learnt standard deviation of the grey levels at half resolution
+    int scans = 0;
+    std::vector<EarlierContact> earlier;
+
+    // Buffers.
+    FloorComparison comparison;
+    ContactVotes votes;
+    RegistrationScratch registration;
+    std::vector<StripEvidence> evidence;
+};
+
+/// Forgets everything; `mapper` is that of the images to come.
+void restart(ContactMemory& memory, const RayMapper& mapper);
+
+/// Scans the cycle that ends when the robot has travelled far enough since the last scan; true when `out` is
+/// new. Then it speaks of the robot frame of this image, and out.gate says whether the cycle could be
+/// scanned.
+bool scan_cycle(ContactMemory& memory, const CycleEnd& cycle, const ContactParams& params, ContactScan& out);
+
+/// Motion of the camera between two key images by odometry.
+PairMotion pair_motion(const KeyImage& reference, const KeyImage& newer, const CameraMount& mount);
+
+}  // namespace flownav::obstacles

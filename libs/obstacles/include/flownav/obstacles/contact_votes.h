@@ -1,0 +1,47 @@
+#pragma once
+#include <vector>
+
+#include "flownav/obstacles/floor_comparison.h"
+
+namespace flownav::obstacles {
+
+/// Pixels that vote for contacts.
+enum class Voters { All, SteepEdges };
+
+/// Votes for "an upright surface stands on the floor in this cell": one score a cell of StripGrid.
+struct ContactVotes {
+    std::vector<float> score;
+
+    // Memory.
+    std::vector<float> row_weight;
+    std::vector<float> shares;
+    std::vector<float> votes;  ///< of one strip: candidate cell times cell of the voters
+};
+
+/// Strips first to last - 1 of a StripGrid.
+struct StripRange {
+    int first = 0;
+    int last = 0;
+};
+
+/// Lets every pixel of `comparison` that does not move as the floor vote for the cells below it: a pixel that
+/// moves as an upright surface at that contact votes for it, one that does not votes against it; floor that
+/// is seen between contact and pixel votes against it too. `noise`: as in compare_with_floor().
+void vote_for_contacts(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
+                       const FloorComparison& comparison, double noise, Voters voters,
+                       const StripRange& strips, ContactVotes& out);
+
+/// The best contact of one strip.
+struct Contact {
+    double forward_m = 0.0;  ///< middle of the scores above 85 % of the best
+    double near_m = 0.0;     ///< their ends
+    double far_m = 0.0;
+    double score = 0.0;  ///< of three strips and three cells; 0: none
+    double own = 0.0;    ///< part of this strip
+};
+
+/// The contact with the highest score within the ranges; `strip` is an index of the grid.
+Contact best_contact(const LevelImage& newer, const ContactVotes& votes, int strip, double range_min_m,
+                     double range_max_m);
+
+}  // namespace flownav::obstacles

@@ -1,0 +1,58 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "flownav/obstacles/floor_warp.h"
+
+namespace flownav::obstacles {
+
+/// Counts of the pixels of one cell of strip and rows.
+struct FloorCell {
+    std::uint16_t pixels = 0;
+    std::uint16_t edges = 0;     ///< pixels on an edge of any direction
+    std::uint16_t compared = 0;  ///< pixels whose place in the reference is known, by the motion of the floor
+    std::uint16_t misfits = 0;   ///< of these: not as bright as the floor there was
+    std::uint16_t floor = 0;     ///< informative pixels that moved as the floor does
+    std::uint16_t not_floor = 0;  ///< informative pixels that did not
+};
+
+/// A pixel that does not move as the floor does.
+struct Misfit {
+    std::int16_t u = 0;
+    std::int16_t v = 0;
+    std::int16_t strip = 0;
+    bool steep = false;  ///< on an edge nearer to the vertical than to the horizontal
+    float grey = 0.0F;   ///< on the brightness scale of the reference
+    float gradient2 = 0.0F;
+    float cost = 0.0F;  ///< of the floor
+};
+
+/// Result and memory of compare_with_floor().
+struct FloorComparison {
+    std::vector<FloorCell> cells;  ///< see StripGrid
+    std::vector<Misfit> misfits;   ///< by strip, then from the top
+    double gain = 1.0;             ///< brightness of the newer image over that of the reference
+    double vignetting = 0.0;       ///< fall-off of brightness that is left in the images, at the corner
+    double noise = 0.0;            ///< standard deviation of the grey levels of one image; 0: not measured
+    double fit_share = 0.0;        ///< of the informative pixels of the near floor
+
+    // Memory.
+    std::vector<float> warped;  ///< grey level that the floor had in the reference; NaN: outside
+    std::vector<float> offset;  ///< local difference of brightness, a tile an entry
+    std::vector<Misfit> unsorted;
+    std::vector<int> count;
+    std::vector<double> ratios;
+    std::vector<float> row;
+};
+
+/// Compares every pixel that could show floor with the place in the reference from which `warp` says the
+/// floor came. `noise`: standard deviation of the grey levels of one image.
+void compare_with_floor(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
+                        double noise, FloorComparison& out);
+
+/// Tolerances of the comparison.
+constexpr float position_error_px = 0.25F;         ///< of the warped place, pixels of half resolution
+constexpr float position_error_per_flow = 0.008F;  ///< added in quadrature, a pixel of flow
+constexpr float cost_max = 4.0F;
+
+}  // namespace flownav::obstacles

@@ -1,0 +1,48 @@
+#pragma once
+#include <vector>
+
+#include "flownav/obstacles/level_image.h"
+
+namespace flownav::obstacles {
+
+constexpr double strip_tangent = 0.05;  ///< width of a strip of bearings, as tangent
+constexpr int cell_rows = 4;            ///< rows of a cell
+constexpr double floor_max_m = 8.0;     ///< floor farther away is not compared
+
+/// Cells of the image: strips of bearings, which are vertical in the world, times groups of rows.
+struct StripGrid {
+    int first = 0;  ///< strip i covers the tangents (first + i) * strip_tangent to the right and up
+    int strips = 0;
+    int cells = 0;        ///< groups of rows, from the top of the image
+    int top_row = 0;      ///< first row that shows floor nearer than floor_max_m
+    int horizon_row = 0;  ///< first row below the horizon; may lie outside the image
+
+    std::size_t index(int cell, int strip) const {
+        return static_cast<std::size_t>(cell) * static_cast<std::size_t>(strips) +
+               static_cast<std::size_t>(strip);
+    }
+    std::size_t size() const { return static_cast<std::size_t>(cells) * static_cast<std::size_t>(strips); }
+};
+
+StripGrid strip_grid(const LevelImage& image);
+
+/// Calls f(strip, begin, end) for the columns begin to end - 1 of every strip in row `v` of the image.
+template <typename F>
+void for_each_strip(const StripGrid& grid, const LevelImage& image, int v, F f) {
+    const LevelImage::Span span = image.valid[static_cast<std::size_t>(v)];
+    int begin = span.begin;
+    for (int s = 0; s < grid.strips && begin < span.end; ++s) {
+        const double right = (grid.first + s + 1) * strip_tangent;
+        const int limit = static_cast<int>(image.camera.column_of(right, v)) + 1;
+        const int end = limit < span.end ? limit : span.end;
+        if (end > begin) f(s, begin, end);
+        begin = end > begin ? end : begin;
+    }
+}
+
+/// Forward distance of the floor at the middle row of a cell; below the horizon only.
+inline double cell_floor_m(const LevelCamera& camera, int cell) {
+    return camera.floor_m(cell * cell_rows + 0.5 * (cell_rows - 1));
+}
+
+}  // namespace flownav::obstacles
