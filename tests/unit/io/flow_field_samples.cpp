@@ -79,18 +79,8 @@ pipeline::Step finished_cycle() {
     s.v_mps = next();
     s.v_measured = true;
     s.pitch_correction_rad = next();
-    s.motion = {next(),
-                next(),
-                next(),
-                next(),
-                next(),
-                next(),
-                true,
-                false,
-                MotionSource::Gyro,
-                MotionSource::Prediction,
-                300,
-                20};
+    s.motion = {next(), next(), next(), next(), next(), next(), true, false, 300, 20};
+    s.motion.omega_source = MotionSource::Gyro;
     s.T_start_robot = {next(), next(), next()};
     s.counts = {350, 320, 301, 21, 200, 15, 7, 3, 2};
     for (const BlockLabel label :
