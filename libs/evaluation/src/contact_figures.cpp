@@ -44,9 +44,9 @@ ContactFigures contact_figures(const std::vector<FieldRow>& rows) {
         if (!contacts.is_new) continue;
         ++figures.scans;
         ++figures.by_gate.at(static_cast<std::size_t>(contacts.gate));
+        if (!contacts.is_scanned()) continue;
         figures.rows += static_cast<std::uint64_t>(contacts.strips.free + contacts.strips.obstacle +
                                                    contacts.strips.unknown);
-        if (!contacts.is_scanned()) continue;
         add(sums, contacts);
         figures.vignetting = contacts.vignetting;
     }

@@ -101,7 +101,7 @@ ContactsCsv::ContactsCsv(const std::filesystem::path& path) : file_(path) {
 }
 
 void ContactsCsv::write(const pipeline::Step& step) {
-    if (!step.new_contacts) return;
+    if (!step.new_contacts || step.contacts.gate != ContactGate::Open) return;
     const ContactScan& scan = step.contacts;
     for (std::size_t i = 0; i < scan.strips.size(); ++i) {
         const ContactStrip& strip = scan.strips[i];

@@ -38,7 +38,7 @@ constexpr FigureWords all_figures[] = {
     {"drive.carried_sigma_m", "m", "deviation of the end position by carrying the pose over", "0"},
     {"contacts.scans", "", "contact scans, those behind a closed gate included",
      "up to one a cycle; fewer when the robot drives slowly"},
-    {"contacts.rows", "", "rows of contacts.csv: strips of all scans", ""},
+    {"contacts.rows", "", "rows of contacts.csv: strips of the scanned cycles", ""},
     {"contacts.scanned_percent", "%", "finished cycles that were scanned for contacts",
      "over 90; less when the robot drives slowly, since a scan needs some travel"},
     {"contacts.by_gate.open", "", "scans that were made", "nearly all"},

@@ -186,6 +186,16 @@ TEST(ContactsCsv, HasARowForEachStripWithThePlaceOfAContact) {
         "1000.160000,0.2500,-0.2450,obstacle,1,drop,0.9000,1.0000,1.0000,1.2000,12.0,1.1000,-0.2000\n");
 }
 
+TEST(ContactsCsv, ACycleBehindAClosedGateHasNoRows) {
+    const auto file = test_folder() / "c.csv";
+    pipeline::Step step = testing::step_at(4);
+    step.contacts.gate = ContactGate::PoorFloor;
+    ContactsCsv csv(file);
+    csv.write(step);
+    csv.close();
+    EXPECT_EQ(content(file).find('\n'), content(file).size() - 1) << "the names only";
+}
+
 TEST(ContactsCsv, AContactOnTheRightHasANegativeYAndANegativeBearing) {
     const auto file = test_folder() / "c.csv";
     pipeline::Step step = testing::step_at(4);

@@ -11,7 +11,7 @@ namespace flownav::evaluation {
 /// Figures of the contact scans of a drive. Means are over the scanned cycles, and empty when there are none.
 struct ContactFigures {
     std::uint64_t scans = 0;                ///< contact scans, those behind a closed gate included
-    std::uint64_t rows = 0;                 ///< strips of all scans: rows of contacts.csv
+    std::uint64_t rows = 0;                 ///< strips of the scanned cycles: rows of contacts.csv
     std::optional<double> scanned_percent;  ///< of the finished cycles: those that were scanned
     std::array<std::uint64_t, all_contact_gates.size()> by_gate{};  ///< scans, in the order of ContactGate
     std::optional<double> free_strips;                              ///< mean number in a cycle

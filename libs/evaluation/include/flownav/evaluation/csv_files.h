@@ -30,7 +30,7 @@ class ObstaclesCsv {
     io::OutputFile file_;
 };
 
-/// Writes contacts.csv, one row per strip of every new contact scan, in the robot frame at the row's time.
+/// Writes contacts.csv, one row per strip of every scanned cycle, in the robot frame at the row's time.
 /// Cells of a contact are empty in a strip without obstacle. All functions throw OutputError.
 class ContactsCsv {
   public:
