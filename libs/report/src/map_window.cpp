@@ -74,8 +74,8 @@ cv::Mat map_window(const mrpt::maps::COccupancyGridMap2D& grid, const MapWindowS
     MapCanvas canvas({robot.x_m, robot.y_m}, middle_px, size_px / size_m, {size_px, size_px});
     canvas.draw_map(grid);
     canvas.draw_line(positions_m(scene.path), palette::blue, 2);
-    draw_contacts(canvas, scene.contacts);
     draw_points(canvas, scene.points_m);
+    draw_contacts(canvas, scene.contacts);
     draw_robot(canvas, robot);
     draw_scale(canvas);
     return canvas.picture();

@@ -113,7 +113,6 @@ class Plan extends PlanCanvas {
         const i = nearest(this.flow.t, t), u = at.u(this.flow.x[i]), v = at.v(this.flow.y[i]);
         if (this.map && data.pictures.length) {
             const picture = data.pictures[nearestPicture(t)];
-            this.drawContacts(pen, at, picture.contacts);
             pen.fillStyle = colour('orange');
             pen.strokeStyle = '#111';
             pen.lineWidth = 0.7;
@@ -123,6 +122,7 @@ class Plan extends PlanCanvas {
                 pen.fill();
                 pen.stroke();
             }
+            this.drawContacts(pen, at, picture.contacts);
         }
         pen.save();
         pen.translate(u, v);
