@@ -215,8 +215,8 @@ cv::Mat map_panel(const MapPanelContent& content, const cv::Size& size) {
     draw_flow_way(picture, p, content);
     draw_track(picture, p, content, content.timeline.odometry, purple, 3);
     draw_track(picture, p, content, content.timeline.ground_truth, ink, 1);
-    if (content.contacts) draw_contacts(picture, p, content.frame.contacts.scan());
     if (cycle != nullptr) draw_newest(picture, p, *cycle, T_robot_cycle);
+    if (content.contacts) draw_contacts(picture, p, content.frame.contacts.scan());
     draw_robot(picture, p);
     draw_legend(panel, content, p.size.height);
     return panel;
