@@ -10,7 +10,7 @@
 #include <vector>
 
 /// Parts of the serialization of CObservationFlowField. Reading throws std::runtime_error on invalid numbers.
-namespace flownav::archive {
+namespace flownav::io::archive {
 
 using mrpt::serialization::CArchive;
 
@@ -92,4 +92,4 @@ std::string explained(const std::array<Word, N>& words) {
     return text;
 }
 
-}  // namespace flownav::archive
+}  // namespace flownav::io::archive

@@ -1,12 +1,12 @@
 #include "flow_field_archive.h"
 
 #include "archive_parts.h"
-#include "contact_archive.h"
+#include "flow_field_contacts.h"
 #include "stored_words.h"
 
 namespace flownav {
 
-using namespace archive;
+using namespace io::archive;
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 namespace flownav {
 
-using namespace archive;
+using namespace io::archive;
 
 namespace {
 

@@ -57,7 +57,7 @@ void describe_blocks(std::ostream& out, const Step& s) {
         << ", inliers " << c.inliers << ", ground window " << c.ground_window << "\n  by fate:";
     std::map<int, std::pair<BlockLabel, int>> by_fate;
     for (const BlockRecord& b : s.blocks) {
-        auto& [label, count] = by_fate[archive::number_of(b.label, archive::stored_labels)];
+        auto& [label, count] = by_fate[io::archive::number_of(b.label, io::archive::stored_labels)];
         label = b.label;
         ++count;
     }

@@ -7,7 +7,7 @@
 #include "flownav/core/flow_vector.h"
 
 /// Values of enums in the order of their stored numbers: append new values, never reorder.
-namespace flownav::archive {
+namespace flownav::io::archive {
 
 inline constexpr std::array stored_statuses = {FieldStatus::Ok, FieldStatus::Waiting, FieldStatus::Lost,
                                                FieldStatus::NoTexture, FieldStatus::BadField};
@@ -22,4 +22,4 @@ inline constexpr std::array stored_gates = {ContactGate::Open, ContactGate::Off,
 inline constexpr std::array stored_sources = {MotionSource::Prediction, MotionSource::Flow,
                                               MotionSource::Wheels, MotionSource::Gyro};
 
-}  // namespace flownav::archive
+}  // namespace flownav::io::archive

@@ -1,11 +1,11 @@
-#include "contact_archive.h"
+#include "flow_field_contacts.h"
 
 #include "archive_parts.h"
 #include "stored_words.h"
 
 namespace flownav {
 
-using namespace archive;
+using namespace io::archive;
 
 namespace {
 
