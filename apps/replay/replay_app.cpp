@@ -57,6 +57,7 @@ Writes into DIR:
   odometry.tum, ground_truth.tum   the same for the recording's own poses, where it has them
   egomotion.csv             one row a field: status, turn rate, speed, counts
   obstacles.csv             one row an obstacle point, robot frame (x forward, y left, z up; metres)
+  contacts.csv              one row a strip of every scanned cycle: confirmed floor, contact, cause
   map.pgm, map.yaml, map.gridmap.gz   the map of the drive, for ROS and for MRPT
   result.rawlog             odometry, FLOW_ODOMETRY, FLOW_POSE, FLOW_SCAN, FLOW_POINTS for MRPT's tools
 

@@ -6,8 +6,11 @@
 
 #include "flownav/cli/number_text.h"
 #include "flownav/core/plane_geometry.h"
+#include "flownav/core/strip_counts.h"
 #include "flownav/flow/kernel.h"
 #include "flownav/math/units.h"
+#include "flownav/report/cause_style.h"
+#include "flownav/report/contact_drawing.h"
 #include "flownav/report/field_drawing.h"
 #include "focus_exclusion.h"
 #include "ink.h"
@@ -22,13 +25,7 @@ const cv::Scalar cone_colour(200, 0, 120);
 
 /// Height of the legend; a wide panel needs fewer lines.
 int legend_px(int width_px) {
-    return (width_px > 1000 ? 4 : 6) * line_px + 4;
-}
-
-CameraModel camera_in_use(const Frame& frame) {
-    CameraModel camera = frame.field.camera;
-    camera.mount.pitch_rad += frame.step.pitch_correction_rad;
-    return camera;
+    return (width_px > 1000 ? 5 : 7) * line_px + 4;
 }
 
 void draw_ground_window(cv::Mat& picture, const CameraModel& camera, const report::FieldScale& scale) {
@@ -43,7 +40,7 @@ void draw_ground_window(cv::Mat& picture, const CameraModel& camera, const repor
 }
 
 void draw_focus_exclusion(cv::Mat& picture, const Frame& frame, double focus_exclusion) {
-    const RayMapper mapper(camera_in_use(frame));
+    const RayMapper mapper(report::camera_in_use(frame.field, frame.step));
     cv::Mat mask = focus_exclusion_mask(mapper, focus_exclusion, cone_cell_px);
     cv::resize(mask, mask, picture.size(), 0, 0, cv::INTER_LINEAR);
     mask = mask > 127;
@@ -93,6 +90,16 @@ std::string state_text(const Frame& frame) {
            std::to_string(step.cycle_images);
 }
 
+void add_contacts(LegendRow& row, const ContactScan& scan) {
+    const StripCounts counts = counts_of(scan);
+    row.add("confirmed floor " + std::to_string(counts.free), report::confirmed_floor);
+    for (const report::CauseStyle& style : report::cause_styles()) {
+        const int count = counts.by_cause.at(static_cast<std::size_t>(style.cause));
+        row.add(std::string(style.name) + ' ' + std::to_string(count), style.colour, LegendRow::Mark::Line);
+    }
+    row.add("scan " + std::string(to_string(scan.gate)), paper);
+}
+
 void draw_legend(cv::Mat& panel, const FieldPanelContent& content, int top_px) {
     const pipeline::Step& step = content.frame.step;
     const int width_px = panel.cols - 2 * margin_px;
@@ -108,6 +115,29 @@ void draw_legend(cv::Mat& panel, const FieldPanelContent& content, int top_px) {
     more.add("blind cone, |e| < " + cli::fixed_text(content.flow.focus_exclusion, 2) +
                  ": hardly any flow, no blocks",
              cone_colour, LegendRow::Mark::Line);
+    if (!content.contacts) return;
+    LegendRow scan(panel, {margin_px, more.bottom(), width_px, line_px});
+    add_contacts(scan, content.frame.contacts.scan());
+}
+
+/// Draws the field with everything that lies on it.
+cv::Mat marked_picture(const FieldPanelContent& content, const report::FieldScale& scale) {
+    const Frame& frame = content.frame;
+    const CameraModel camera = report::camera_in_use(frame.field, frame.step);
+    const ContactScan contacts = content.contacts ? frame.contacts.scan() : ContactScan{};
+    cv::Mat picture = report::scaled_field(frame.field, scale);
+    report::tint_free_floor(picture, contacts, camera, scale);
+    for (const report::LabelStyle& style : report::label_styles())
+        report::tint_blocks(picture, frame.step, scale, style);
+    if (content.predictions) draw_predictions(picture, frame.step, scale);
+    for (const report::LabelStyle& style : report::label_styles())
+        report::draw_vectors(picture, frame.step, scale, style);
+    report::draw_contacts(picture, contacts, camera, scale);
+    draw_ground_window(picture, frame.field.camera, scale);
+    draw_focus_exclusion(picture, frame, content.flow.focus_exclusion);
+    if (content.hovered) point_out(picture, frame.step.blocks[*content.hovered], scale);
+    if (frame.preview) write_label(picture, {10, 22}, "preview: of the last second only", vermilion);
+    return picture;
 }
 
 }  // namespace
@@ -140,17 +170,7 @@ cv::Mat field_panel(const FieldPanelContent& content, const cv::Size& size) {
     const Frame& frame = content.frame;
     if (frame.field.image.empty()) return panel;
     const FieldPlace place = field_place(frame.field, size);
-    const report::FieldScale scale{place.zoom_x, place.zoom_y};
-    cv::Mat picture = report::scaled_field(frame.field, scale);
-    for (const report::LabelStyle& style : report::label_styles())
-        report::tint_blocks(picture, frame.step, scale, style);
-    if (content.predictions) draw_predictions(picture, frame.step, scale);
-    for (const report::LabelStyle& style : report::label_styles())
-        report::draw_vectors(picture, frame.step, scale, style);
-    draw_ground_window(picture, frame.field.camera, scale);
-    draw_focus_exclusion(picture, frame, content.flow.focus_exclusion);
-    if (content.hovered) point_out(picture, frame.step.blocks[*content.hovered], scale);
-    if (frame.preview) write_label(picture, {10, 22}, "preview: of the last second only", vermilion);
+    const cv::Mat picture = marked_picture(content, {place.zoom_x, place.zoom_y});
     const cv::Rect area = place.area & cv::Rect({0, 0}, size);
     picture(cv::Rect({0, 0}, area.size()) & cv::Rect({0, 0}, picture.size())).copyTo(panel(area));
     draw_legend(panel, content, place.area.height + 2);

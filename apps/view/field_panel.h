@@ -13,6 +13,7 @@ struct FieldPanelContent {
     flow::FlowParams flow;
     std::optional<std::size_t> hovered;  ///< index of the highlighted block
     bool predictions = true;
+    bool contacts = true;  ///< draws the contact scan
 };
 
 /// Position of the field in its panel.
@@ -30,7 +31,8 @@ struct FieldPlace {
 FieldPlace field_place(const Field& field, const cv::Size& panel);
 
 /// Draws the field (8-bit BGR, `size`): blocks coloured by label at their current place, vectors as arrows,
-/// predictions as crosses, the ground window, the focus exclusion; with legend and counts below.
+/// predictions as crosses, the contact scan, the ground window, the focus exclusion; with legend and counts
+/// below.
 cv::Mat field_panel(const FieldPanelContent& content, const cv::Size& size);
 
 }  // namespace flownav::view

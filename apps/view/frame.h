@@ -5,6 +5,7 @@
 
 #include "flownav/core/field.h"
 #include "flownav/pipeline/step.h"
+#include "flownav/report/held_contacts.h"
 
 namespace flownav::view {
 
@@ -24,6 +25,7 @@ struct Frame {
     std::optional<Field> reference;  ///< the field it was compared with; empty for a first field
     pipeline::Step step;
     std::shared_ptr<const CycleResult> last_cycle;  ///< null before the first finished cycle
+    report::HeldContacts contacts;                  ///< the newest contact scan
     bool preview = false;  ///< computed from a few fields only: the numbers are approximate
 };
 

@@ -5,6 +5,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "flownav/cli/number_text.h"
+#include "flownav/report/cause_style.h"
+#include "flownav/report/contact_segments.h"
 #include "ink.h"
 
 namespace flownav::view {
@@ -119,6 +121,15 @@ void draw_newest(cv::Mat& picture, const Projection& p, const CycleResult& cycle
     }
 }
 
+void draw_contacts(cv::Mat& picture, const Projection& p, const ContactScan& scan) {
+    for (const report::ContactSegment& contact : report::contact_segments(scan, Pose2{})) {
+        const cv::Scalar colour = report::colour_of(contact.cause);
+        cv::line(picture, p.at(contact.near_m), p.at(contact.far_m), colour, 1, cv::LINE_AA);
+        cv::line(picture, p.at(contact.right_m), p.at(contact.left_m), ink, 5, cv::LINE_AA);
+        cv::line(picture, p.at(contact.right_m), p.at(contact.left_m), colour, 3, cv::LINE_AA);
+    }
+}
+
 /// Indices of the fields up to now whose poses are drawn as a path, thinned out for a long drive.
 std::vector<std::size_t> fields_of_way(const MapPanelContent& content) {
     constexpr std::size_t most = 2000;
@@ -175,6 +186,8 @@ void draw_legend(cv::Mat& panel, const MapPanelContent& content, int top_px) {
     row.add("moving", blue, LegendRow::Mark::Dot);
     row.add("seen free", 0.3 * green + 0.7 * paper);
     row.add("scan", vermilion, LegendRow::Mark::Line);
+    if (content.contacts) row.add("wall", report::colour_of(BeamCause::Wall), LegendRow::Mark::Line);
+    if (content.contacts) row.add("drop", report::colour_of(BeamCause::Drop), LegendRow::Mark::Line);
     row.add("flow", blue, LegendRow::Mark::Line);
     if (!content.timeline.odometry.empty()) row.add("odometry", purple, LegendRow::Mark::Line);
     if (!content.timeline.ground_truth.empty()) row.add("truth", ink, LegendRow::Mark::Line);
@@ -203,6 +216,7 @@ cv::Mat map_panel(const MapPanelContent& content, const cv::Size& size) {
     draw_track(picture, p, content, content.timeline.odometry, purple, 3);
     draw_track(picture, p, content, content.timeline.ground_truth, ink, 1);
     if (cycle != nullptr) draw_newest(picture, p, *cycle, T_robot_cycle);
+    if (content.contacts) draw_contacts(picture, p, content.frame.contacts.scan());
     draw_robot(picture, p);
     draw_legend(panel, content, p.size.height);
     return panel;

@@ -54,6 +54,7 @@ void Runner::take(const Field& field) {
     if (frame_.step.image_of_cycle == 0 && frame_.step.status != FieldStatus::BadField) {
         frame_.reference.reset();
     }
+    frame_.contacts.take(frame_.step);
     if (!frame_.step.end_of_cycle) return;
     const pipeline::Step& step = frame_.step;
     frame_.last_cycle = std::make_shared<const CycleResult>(
@@ -80,6 +81,7 @@ void Runner::resume_afresh(const Checkpoint& checkpoint, const config::Config& c
     state_ = config::make_state(config);
     frame_.reference.reset();
     frame_.last_cycle.reset();
+    frame_.contacts = {};
 }
 
 void Runner::retry() {

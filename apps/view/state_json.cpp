@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "flownav/core/strip_counts.h"
+
 namespace flownav::view {
 
 namespace {
@@ -29,6 +31,14 @@ Json json_of(const pipeline::BlockRecord& block, const std::optional<SadWindow>&
     return json;
 }
 
+Json json_of(const ContactScan& scan) {
+    const StripCounts counts = counts_of(scan);
+    return {{"gate", to_string(scan.gate)},
+            {"free", counts.free},
+            {"obstacle", counts.obstacle},
+            {"unknown", counts.unknown}};
+}
+
 Json json_of(const config::Config& config) {
     return {{"confidence_min", config.pipeline.flow.confidence_min},
             {"blocks", config.pipeline.flow.blocks},
@@ -54,6 +64,7 @@ std::string state_json(const ViewModel& model) {
                  {"confident", step.counts.confident},
                  {"obstacle_blocks", step.counts.obstacle},
                  {"obstacle_points", step.obstacles.size()},
+                 {"contacts", json_of(frame.contacts.scan())},
                  {"pose", {step.T_start_robot.x_m, step.T_start_robot.y_m, step.T_start_robot.yaw_rad}},
                  {"playing", model.playing()},
                  {"speed", model.speed()},

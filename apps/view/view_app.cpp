@@ -39,8 +39,8 @@ flownav-view --live CONFIG.ini [--size WxH]
   --help, --version         print this text, or the version, and exit
 
 Keys: space plays and pauses; left, right one field (with shift ten); home, end; up, down the speed; P predicted
-vectors; S saves a picture; [ and ] mark a stretch, M saves it as MP4; Q quits. The mouse: point at a block for its
-numbers; click or drag in the chart to go there; turn the wheel in the map to zoom.
+vectors; C the contact scan; S saves a picture; [ and ] mark a stretch, M saves it as MP4; Q quits. The mouse: point at
+a block for its numbers; click or drag in the chart to go there; turn the wheel in the map to zoom.
 
 Exit status:
   0  fine

@@ -110,9 +110,11 @@ cv::Mat view_picture(const ViewModel& model, const Look& look, const cv::Size& s
     const Frame& frame = model.frame();
     put(picture, layout.title, title_of(model, look, layout.title.size()));
     const FieldPanelContent field{frame, model.config().pipeline.flow, model.hovered_block(),
-                                  look.predictions};
+                                  look.predictions, look.contacts};
     put(picture, layout.field, field_panel(field, layout.field.size()));
-    put(picture, layout.map, map_panel({frame, model.timeline(), look.ahead_m}, layout.map.size()));
+    MapPanelContent map{frame, model.timeline(), look.ahead_m};
+    map.contacts = look.contacts;
+    put(picture, layout.map, map_panel(map, layout.map.size()));
     put(picture, layout.block,
         block_panel(frame, model.hovered_block(), model.hovered_window(), layout.block.size()));
     put(picture, layout.strip,

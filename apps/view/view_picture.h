@@ -10,6 +10,7 @@ namespace flownav::view {
 struct Look {
     double ahead_m = 8.0;     ///< reach of the map
     bool predictions = true;  ///< draws predicted vectors
+    bool contacts = true;     ///< draws the contact scan
     std::string note;         ///< one line for the user: saved file or error
 };
 

@@ -75,6 +75,9 @@ void ViewSession::act(Action action) {
         case Action::Predictions:
             look_.predictions = !look_.predictions;
             return;
+        case Action::Contacts:
+            look_.contacts = !look_.contacts;
+            return;
         case Action::MarkBegin:
             return model_.mark_begin();
         case Action::MarkEnd:

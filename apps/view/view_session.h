@@ -20,6 +20,7 @@ enum class Action {
     Slower,
     Faster,
     Predictions,
+    Contacts,
     MarkBegin,
     MarkEnd,
     SavePicture,

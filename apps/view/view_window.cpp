@@ -34,6 +34,8 @@ std::optional<Action> action_of(int key, int modifiers) {
             return Action::Faster;
         case GLFW_KEY_P:
             return Action::Predictions;
+        case GLFW_KEY_C:
+            return Action::Contacts;
         case GLFW_KEY_LEFT_BRACKET:
             return Action::MarkBegin;
         case GLFW_KEY_RIGHT_BRACKET:
@@ -73,6 +75,7 @@ ViewWindow::ViewWindow(ViewSession& session)
     add_button("slower", "half the speed (down)", Action::Slower);
     add_button("faster", "twice the speed (up)", Action::Faster);
     add_button("predicted", "predicted vectors (P)", Action::Predictions);
+    add_button("contacts", "contact scan (C)", Action::Contacts);
     add_button("[", "a stretch for MP4 begins here", Action::MarkBegin);
     add_button("]", "a stretch for MP4 ends here", Action::MarkEnd);
     add_button("save MP4", "the marked stretch, or all (M)", Action::SaveClip);

@@ -26,8 +26,8 @@ const std::string corridor = FLOWNAV_CORRIDOR;
 
 /// Every file of a replay of a recording with odometry and ground truth.
 const std::set<std::string> every_file = {
-    "trajectory.tum", "odometry.tum",   "ground_truth.tum", "egomotion.csv", "obstacles.csv", "map.pgm",
-    "map.yaml",       "map.gridmap.gz", "result.rawlog",    "summary.json",  "report.html"};
+    "trajectory.tum", "odometry.tum", "ground_truth.tum", "egomotion.csv", "obstacles.csv", "contacts.csv",
+    "map.pgm",        "map.yaml",     "map.gridmap.gz",   "result.rawlog", "summary.json",  "report.html"};
 
 std::string content(const fs::path& file) {
     std::ostringstream text;
@@ -101,6 +101,7 @@ TEST_F(ReplayProgram, WritesEveryFileOfAGoodRecording) {
     EXPECT_EQ(lines_of(content(output / "egomotion.csv")), json["read"]["fields"].get<std::size_t>() + 1);
     EXPECT_EQ(lines_of(content(output / "obstacles.csv")),
               json["written"]["obstacle_points"].get<std::size_t>() + 1);
+    EXPECT_EQ(lines_of(content(output / "contacts.csv")), json["contacts"]["rows"].get<std::size_t>() + 1);
     EXPECT_GT(json["status"]["ok"], 10);
     EXPECT_GT(json["written"]["obstacle_points"], 10);
 }

@@ -112,7 +112,7 @@ class ReportPage(unittest.TestCase):
 
     def test_every_chart_is_drawn_and_nothing_is_fetched(self):
         drawn = dict(self.until(lambda: self.run_script(DRAWN)))
-        expected = {"chart-" + name for name in "status turn speed heading distance labels counts".split()}
+        expected = {"chart-" + name for name in "status turn speed heading distance labels counts contacts floor".split()}
         self.assertEqual(set(drawn), expected | {"way", "map"})
         for name, points in drawn.items():
             self.assertGreater(points, 1000, name)

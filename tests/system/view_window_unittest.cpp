@@ -175,7 +175,7 @@ TEST_F(Window, AClickInTheChartGoesThere) {
 
 TEST_F(Window, AButtonDoesWhatItsKeyDoes) {
     const int top = command.size.height + 20;
-    click(command.size.width / 12 * 4 + 50, top);  // the fifth of twelve buttons: last field
+    click(command.size.width / 13 * 4 + 50, top);  // the fifth of thirteen buttons: last field
     EXPECT_EQ(last_state()["field"], 59);
     click(50, top);  // the first button: first field
     EXPECT_EQ(last_state()["field"], 0);

@@ -60,6 +60,18 @@ const char* to_string(BlockLabel label) {
     return "unknown";
 }
 
+const char* to_string(BeamKind kind) {
+    switch (kind) {
+        case BeamKind::Unknown:
+            return "unknown";
+        case BeamKind::Free:
+            return "free";
+        case BeamKind::Obstacle:
+            return "obstacle";
+    }
+    return "unknown";
+}
+
 const char* to_string(BeamCause cause) {
     switch (cause) {
         case BeamCause::None:

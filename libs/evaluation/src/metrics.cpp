@@ -147,6 +147,12 @@ LabelCounts label_counts_of(const pipeline::Step& step) {
     return counts;
 }
 
+ContactRow contact_row_of(const pipeline::Step& step) {
+    if (!step.new_contacts) return {};
+    const ContactScan& scan = step.contacts;
+    return {true, scan.gate, counts_of(scan), scan.floor.fit_share, scan.floor.vignetting};
+}
+
 FieldRow row_of(const pipeline::Step& step) {
     FieldRow row;
     row.timestamp_s = step.timestamp_s;
@@ -167,6 +173,7 @@ FieldRow row_of(const pipeline::Step& step) {
     row.obstacles = static_cast<int>(step.obstacles.size());
     row.end_of_cycle = step.end_of_cycle;
     row.labels = label_counts_of(step);
+    row.contacts = contact_row_of(step);
     return row;
 }
 

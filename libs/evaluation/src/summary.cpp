@@ -6,6 +6,7 @@
 
 #include "flownav/core/version.h"
 #include "flownav/evaluation/motion_sources.h"
+#include "flownav/evaluation/contact_figures.h"
 #include "flownav/evaluation/summary_facts.h"
 #include "flownav/math/units.h"
 
@@ -21,6 +22,10 @@ constexpr std::size_t most_stretches = 250;
 Json rounded(double value) {
     if (!std::isfinite(value)) return nullptr;
     return std::round(value * 1e6) / 1e6 + 0.0;  // + 0.0 turns -0 into 0
+}
+
+Json rounded(const std::optional<double>& value) {
+    return value ? rounded(*value) : Json(nullptr);
 }
 
 Json input_part(const Drive& drive) {
@@ -109,6 +114,24 @@ Json motion_part(const std::vector<FieldRow>& rows) {
     enter("gyro", sources.gyro);
     part["gyro_bias_degps"] = rounded(deg(sources.gyro_bias_radps));
     return part;
+Json contacts_part(const ContactFigures& figures) {
+    Json gates, causes;
+    for (const ContactGate gate : all_contact_gates)
+        gates[to_string(gate)] = figures.by_gate.at(static_cast<std::size_t>(gate));
+    for (const BeamCause cause : all_beam_causes)
+        if (cause != BeamCause::None)
+            causes[to_string(cause)] = figures.by_cause.at(static_cast<std::size_t>(cause));
+    return {{"scans", figures.scans},
+            {"rows", figures.rows},
+            {"scanned_percent", rounded(figures.scanned_percent)},
+            {"by_gate", std::move(gates)},
+            {"free_strips", rounded(figures.free_strips)},
+            {"contacts", rounded(figures.contacts)},
+            {"unknown_strips", rounded(figures.unknown_strips)},
+            {"decided_2m_percent", rounded(figures.decided_percent)},
+            {"by_cause", std::move(causes)},
+            {"floor_fit", rounded(figures.fit_share)},
+            {"vignetting", rounded(figures.vignetting)}};
 }
 
 Json errors_part(const std::optional<Errors>& errors) {
@@ -116,7 +139,7 @@ Json errors_part(const std::optional<Errors>& errors) {
     Json part = {{"fields_compared", errors->fields_compared}};
     for (const Figure& figure : error_figures()) {
         const std::optional<double>& value = (*errors).*figure.value;
-        part[figure.name] = value ? rounded(*value) : Json(nullptr);
+        part[figure.name] = rounded(value);
     }
     return part;
 }
@@ -181,6 +204,7 @@ Json summary_facts(const Drive& drive, const config::Config& config) {
     summary["bad_fields"] = fault_part(drive.field_faults);
     summary["drive"] = drive_part(drive.rows);
     summary["motion"] = motion_part(drive.rows);
+    summary["contacts"] = contacts_part(contact_figures(drive.rows));
     summary["errors"] = {{"ground_truth", errors_part(drive.ground_truth_errors)},
                          {"odometry", errors_part(drive.odometry_errors)}};
     summary["doubts"] = Json(drive.warnings);

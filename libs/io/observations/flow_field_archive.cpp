@@ -1,93 +1,18 @@
 #include "flow_field_archive.h"
 
-#include <algorithm>
-#include <initializer_list>
-#include <stdexcept>
-#include <string>
+#include "archive_parts.h"
+#include "flow_field_contacts.h"
+#include "stored_words.h"
 
 namespace flownav {
+
+using namespace io::archive;
+
 namespace {
 
-using mrpt::serialization::CArchive;
 using pipeline::BlockCounts;
 using pipeline::BlockRecord;
 using pipeline::Step;
-
-// The index of a value is stored in files: append new values, never reorder.
-constexpr std::array stored_status = {FieldStatus::Ok, FieldStatus::Waiting, FieldStatus::Lost,
-                                      FieldStatus::NoTexture, FieldStatus::BadField};
-constexpr std::array stored_label = {BlockLabel::Unplaced,    BlockLabel::Sifted,   BlockLabel::Eliminated,
-                                     BlockLabel::Ground,      BlockLabel::Obstacle, BlockLabel::Moving,
-                                     BlockLabel::Unsupported, BlockLabel::Unjudged};
-constexpr std::array stored_kind = {BeamKind::Unknown, BeamKind::Free, BeamKind::Obstacle};
-
-constexpr std::uint32_t most_elements = 1U << 20;
-
-template <typename Word, std::size_t N>
-std::uint8_t number_of(Word word, const std::array<Word, N>& words) {
-    return static_cast<std::uint8_t>(std::find(words.begin(), words.end(), word) - words.begin());
-}
-
-template <typename Word, std::size_t N>
-Word read_word(CArchive& in, const std::array<Word, N>& words, const char* name) {
-    const auto number = in.ReadAs<std::uint8_t>();
-    if (number < N) return words[number];
-    throw std::runtime_error("flow field: " + std::string(name) + " has the number " +
-                             std::to_string(number) + ", known are 0.." + std::to_string(N - 1));
-}
-
-/// Writes flags as bits of one byte, the first flag in the lowest bit.
-void write_flags(CArchive& out, std::initializer_list<bool> flags) {
-    unsigned bits = 0;
-    unsigned place = 0;
-    for (const bool flag : flags) bits |= static_cast<unsigned>(flag) << place++;
-    out << static_cast<std::uint8_t>(bits);
-}
-
-void read_flags(CArchive& in, std::initializer_list<bool*> flags) {
-    unsigned bits = in.ReadAs<std::uint8_t>();
-    for (bool* flag : flags) {
-        *flag = (bits & 1U) != 0;
-        bits >>= 1U;
-    }
-    if (bits != 0) throw std::runtime_error("flow field: a flag is set that does not exist");
-}
-
-/// A row of N doubles, written and read as one buffer.
-template <std::size_t N>
-using Numbers = std::array<double, N>;
-
-template <std::size_t N>
-void write_numbers(CArchive& out, const Numbers<N>& numbers) {
-    out.WriteBufferFixEndianness(numbers.data(), N);
-}
-
-template <std::size_t N>
-Numbers<N> read_numbers(CArchive& in) {
-    Numbers<N> numbers{};
-    if (in.ReadBufferFixEndianness(numbers.data(), N) != sizeof(numbers))
-        throw std::runtime_error("flow field: ends in the middle of its numbers");
-    return numbers;
-}
-
-template <typename Element, typename Write>
-void write_list(CArchive& out, const std::vector<Element>& list, Write write_element) {
-    out.WriteAs<std::uint32_t>(list.size());
-    for (const Element& element : list) write_element(out, element);
-}
-
-/// Reads a list element by element, so that a damaged length does not allocate memory for it.
-template <typename Read>
-auto read_list(CArchive& in, const char* name, Read read_element) {
-    std::vector<decltype(read_element(in))> list;
-    const auto size = in.ReadAs<std::uint32_t>();
-    if (size > most_elements) {
-        throw std::runtime_error("flow field: " + std::to_string(size) + ' ' + name + " are more than the " +
-                                 std::to_string(most_elements) + " that can be: the file is damaged");
-    }
-    for (std::uint32_t i = 0; i < size; ++i) list.push_back(read_element(in));
-    return list;
-}
 
 void write_block(CArchive& out, const BlockRecord& b) {
     const FlowVector& v = b.vector;
@@ -96,7 +21,7 @@ void write_block(CArchive& out, const BlockRecord& b) {
               v.confidence, b.predicted_px.x(), b.predicted_px.y(), b.ray.at.x(), b.ray.at.y(),
               b.ray.flow.x(), b.ray.flow.y(), b.ray.sigma.x(), b.ray.sigma.y(), b.omega_rad, b.excess_px});
     out.WriteAs<std::int32_t>(b.image_of_cycle);
-    out << number_of(b.label, stored_label);
+    out << number_of(b.label, stored_labels);
     write_flags(out, {v.valid, b.in_ground_window, b.fresh});
 }
 
@@ -112,7 +37,7 @@ BlockRecord read_block(CArchive& in) {
     b.omega_rad = n[15];
     b.excess_px = n[16];
     b.image_of_cycle = in.ReadAs<std::int32_t>();
-    b.label = read_word(in, stored_label, "the fate of a block");
+    b.label = read_word(in, stored_labels, "the fate of a block");
     read_flags(in, {&b.vector.valid, &b.in_ground_window, &b.fresh});
     return b;
 }
@@ -140,12 +65,12 @@ GroundPatch read_patch(CArchive& in) {
 }
 
 void write_beam(CArchive& out, const Beam& beam) {
-    out << number_of(beam.kind, stored_kind);
+    out << number_of(beam.kind, stored_kinds);
     out << beam.range_m;
 }
 
 Beam read_beam(CArchive& in) {
-    const BeamKind kind = read_word(in, stored_kind, "a beam");
+    const BeamKind kind = read_word(in, stored_kinds, "a beam");
     return {kind, in.ReadAs<double>()};
 }
 
@@ -170,14 +95,6 @@ constexpr std::array stored_counts = {
     &BlockCounts::placed,        &BlockCounts::confident,   &BlockCounts::inliers,
     &BlockCounts::ground_window, &BlockCounts::ground,      &BlockCounts::obstacle,
     &BlockCounts::eliminated,    &BlockCounts::unsupported, &BlockCounts::moving};
-
-template <typename Word, std::size_t N>
-std::string explained(const std::array<Word, N>& words) {
-    std::string text;
-    for (std::size_t i = 0; i < N; ++i)
-        text += (i == 0 ? "" : ", ") + std::to_string(i) + " = " + to_string(words[i]);
-    return text;
-}
 
 }  // namespace
 
@@ -207,7 +124,7 @@ CameraModel read_camera(CArchive& in) {
 void write_step(CArchive& out, const Step& s) {
     write_numbers<8>(out, {s.timestamp_s, s.omega_radps, s.pitch_rate_radps, s.v_mps, s.pitch_correction_rad,
                            s.T_start_robot.x_m, s.T_start_robot.y_m, s.T_start_robot.yaw_rad});
-    out << number_of(s.status, stored_status);
+    out << number_of(s.status, stored_statuses);
     write_flags(out, {s.restarted, s.end_of_cycle, s.v_measured});
     out.WriteAs<std::int32_t>(s.image_of_cycle).WriteAs<std::int32_t>(s.cycle_images);
     write_motion(out, s.motion);
@@ -218,6 +135,7 @@ void write_step(CArchive& out, const Step& s) {
     write_numbers<2>(out, {s.scan.first_bearing_rad, s.scan.step_rad});
     write_list(out, s.scan.beams, write_beam);
     for (const GroundPatch& patch : s.ground) write_numbers<1>(out, {patch.width_m});
+    write_contact_part(out, s);
 }
 
 Step read_step(CArchive& in, int version) {
@@ -229,7 +147,7 @@ Step read_step(CArchive& in, int version) {
     s.v_mps = n[3];
     s.pitch_correction_rad = n[4];
     s.T_start_robot = {n[5], n[6], n[7]};
-    s.status = read_word(in, stored_status, "the status");
+    s.status = read_word(in, stored_statuses, "the status");
     read_flags(in, {&s.restarted, &s.end_of_cycle, &s.v_measured});
     s.image_of_cycle = in.ReadAs<std::int32_t>();
     s.cycle_images = in.ReadAs<std::int32_t>();
@@ -244,23 +162,12 @@ Step read_step(CArchive& in, int version) {
     s.scan.beams = read_list(in, "beams", read_beam);
     if (version >= 1)
         for (GroundPatch& patch : s.ground) patch.width_m = read_numbers<1>(in)[0];
+    if (version >= 2) {
+        read_contact_part(in, s);
+    } else {
+        complete_older_step(s);
+    }
     return s;
-}
-
-int stored_number(FieldStatus status) {
-    return number_of(status, stored_status);
-}
-
-int stored_number(BlockLabel label) {
-    return number_of(label, stored_label);
-}
-
-std::string stored_statuses() {
-    return explained(stored_status);
-}
-
-std::string stored_labels() {
-    return explained(stored_label);
 }
 
 }  // namespace flownav

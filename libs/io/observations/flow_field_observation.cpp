@@ -19,7 +19,7 @@ void CObservationFlowField::setSensorPose(const mrpt::poses::CPose3D& pose) {
 }
 
 std::uint8_t CObservationFlowField::serializeGetVersion() const {
-    return 1;
+    return 2;
 }
 
 void CObservationFlowField::serializeTo(mrpt::serialization::CArchive& out) const {
@@ -32,6 +32,7 @@ void CObservationFlowField::serializeFrom(mrpt::serialization::CArchive& in, std
     switch (version) {
         case 0:
         case 1:
+        case 2:
             in >> timestamp >> sensorLabel;
             camera = read_camera(in);
             step = read_step(in, version);

@@ -167,6 +167,10 @@ int run_check(const Options& options, std::ostream& out) {
     if (!options.junit.empty())
         write_atomically(options.junit, junit_xml(options.manifest.filename(), results, deviations));
     say_deviations(deviations, out);
+    for (const std::string& part : unchecked_parts(expectation, results)) {
+        out << "not checked: " << part << ", which " << options.expected.filename().string()
+            << " does not have; see flownav-regress accept\n";
+    }
     if (!options.quiet)
         out << count_text(results.size(), "rawlog") << ", " << rawlogs_in(deviations)
             << " not as expected: " << count_text(deviations.size(), "figure") << " out of tolerance\n";

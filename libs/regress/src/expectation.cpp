@@ -1,7 +1,6 @@
 #include "flownav/regress/expectation.h"
 
 #include <cmath>
-#include <set>
 
 #include "figure_text.h"
 
@@ -11,6 +10,18 @@ namespace {
 
 std::string status_text(int status) {
     return status < 0 ? "not ended by itself" : std::to_string(status);
+}
+
+/// The part of the summary that holds a figure: the name up to its first point.
+std::string part_of(const std::string& figure) {
+    return figure.substr(0, figure.find('.'));
+}
+
+/// Parts of the summary that hold expected figures.
+std::set<std::string> known_parts(const ExpectedRawlog& expected) {
+    std::set<std::string> parts;
+    for (const auto& [name, figure] : expected.figures) parts.insert(part_of(name));
+    return parts;
 }
 
 std::optional<Deviation> check_figure(const std::string& id, const std::string& name,
@@ -44,8 +55,9 @@ void check_rawlog(const ExpectedRawlog& expected, const RawlogResult& rawlog,
     for (const auto& [name, figure] : expected.figures)
         if (const auto deviation = check_figure(rawlog.id, name, figure, rawlog.result.figures))
             deviations.push_back(*deviation);
+    const std::set<std::string> parts = known_parts(expected);
     for (const auto& [name, value] : rawlog.result.figures)
-        if (expected.figures.count(name) == 0)
+        if (expected.figures.count(name) == 0 && parts.count(part_of(name)) == 1)
             deviations.push_back({rawlog.id, name, "is " + value_text(value) + ", was not there before"});
 }
 
@@ -100,6 +112,18 @@ std::vector<Deviation> check(const Expectation& expectation, const RunResults& r
     for (const auto& [id, expected] : expectation.rawlogs)
         if (seen.count(id) == 0) deviations.push_back({id, "", "is expected, but not in the manifest"});
     return deviations;
+}
+
+std::set<std::string> unchecked_parts(const Expectation& expectation, const RunResults& results) {
+    std::set<std::string> unchecked;
+    for (const RawlogResult& rawlog : results) {
+        const auto expected = expectation.rawlogs.find(rawlog.id);
+        if (expected == expectation.rawlogs.end()) continue;
+        const std::set<std::string> known = known_parts(expected->second);
+        for (const auto& [name, value] : rawlog.result.figures)
+            if (known.count(part_of(name)) == 0) unchecked.insert(part_of(name));
+    }
+    return unchecked;
 }
 
 Expectation accept(const Expectation& before, const RunResults& results) {

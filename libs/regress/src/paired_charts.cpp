@@ -10,6 +10,13 @@ namespace flownav::regress {
 
 namespace {
 
+/// Rows that have a value.
+enum class Rows {
+    All,
+    EndsOfCycles,
+    Filled,  ///< those whose cell is not empty
+};
+
 struct Quantity {
     const char* column;
     const char* title;
@@ -18,18 +25,21 @@ struct Quantity {
     double factor;
     double least_span;
     int decimals;
-    bool of_cycles;  ///< valid at the end of a cycle only
+    Rows rows;
 };
 
 constexpr auto every_field = "Every field; positive: to the left.";
 constexpr auto every_cycle = "At the end of each cycle.";
+constexpr auto every_scan = "Of each contact scan.";
 
 constexpr Quantity quantities[] = {
-    {"omega_radps", "Turn rate", "deg/s", every_field, deg(1.0), 1.0, 3, false},
-    {"v_mps", "Forward speed", "m/s", every_cycle, 1.0, 0.05, 4, true},
-    {"obstacles", "Obstacle points", "", every_cycle, 1.0, 10.0, 0, true},
-    {"confident", "Blocks with an unambiguous match", "", every_cycle, 1.0, 10.0, 0, true},
-    {"inliers", "Blocks that support the turn rate", "", every_cycle, 1.0, 10.0, 0, true},
+    {"omega_radps", "Turn rate", "deg/s", every_field, deg(1.0), 1.0, 3, Rows::All},
+    {"v_mps", "Forward speed", "m/s", every_cycle, 1.0, 0.05, 4, Rows::EndsOfCycles},
+    {"obstacles", "Obstacle points", "", every_cycle, 1.0, 10.0, 0, Rows::EndsOfCycles},
+    {"confident", "Blocks with an unambiguous match", "", every_cycle, 1.0, 10.0, 0, Rows::EndsOfCycles},
+    {"inliers", "Blocks that support the turn rate", "", every_cycle, 1.0, 10.0, 0, Rows::EndsOfCycles},
+    {"strips_obstacle", "Contacts", "strips", every_scan, 1.0, 5.0, 0, Rows::Filled},
+    {"strips_free", "Strips with confirmed floor", "strips", every_scan, 1.0, 5.0, 0, Rows::Filled},
 };
 
 constexpr double same_time_s = 1e-6;
@@ -62,8 +72,9 @@ bool ends_cycle(const Columns& run, std::size_t row) {
 
 double value_at(const Columns& run, const Quantity& quantity, std::size_t row) {
     if (row == MergedTimes::none) return report::ReportSeries::none;
-    if (quantity.of_cycles && !ends_cycle(run, row)) return report::ReportSeries::none;
+    if (quantity.rows == Rows::EndsOfCycles && !ends_cycle(run, row)) return report::ReportSeries::none;
     const double value = run.at(quantity.column)[row];
+    if (quantity.rows == Rows::Filled && std::isnan(value)) return report::ReportSeries::none;
     return std::isfinite(value) ? value * quantity.factor : report::ReportSeries::gap;
 }
 
@@ -91,7 +102,7 @@ report::ReportChart chart_of(const Quantity& quantity, const Columns& before, co
     chart.note = quantity.note;
     chart.decimals = quantity.decimals;
     chart.least_span = quantity.least_span;
-    chart.from_zero = quantity.of_cycles;
+    chart.from_zero = quantity.rows != Rows::All;
     chart.series.resize(3);
     std::vector<double>& a = chart.series[0].values;
     std::vector<double>& b = chart.series[1].values;
@@ -100,7 +111,7 @@ report::ReportChart chart_of(const Quantity& quantity, const Columns& before, co
         a.push_back(value_at(before, quantity, times.row_a[i]));
         b.push_back(value_at(after, quantity, times.row_b[i]));
     }
-    chart.series[2].values = differences(a, b, quantity.of_cycles);
+    chart.series[2].values = differences(a, b, quantity.rows != Rows::All);
     return chart;
 }
 

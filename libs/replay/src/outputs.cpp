@@ -40,8 +40,8 @@ void write_map(const mrpt::maps::COccupancyGridMap2D& grid, const std::filesyste
 
 const std::vector<const char*>& output_names() {
     static const std::vector<const char*> names = {
-        "trajectory.tum", odometry_name,    ground_truth_name, "egomotion.csv", "obstacles.csv", "map.pgm",
-        "map.yaml",       "map.gridmap.gz", "result.rawlog",   "summary.json",  "report.html"};
+        "trajectory.tum", odometry_name, ground_truth_name, "egomotion.csv", "obstacles.csv", "contacts.csv",
+        "map.pgm",        "map.yaml",    "map.gridmap.gz",  "result.rawlog", "summary.json",  "report.html"};
     return names;
 }
 
@@ -52,6 +52,7 @@ Outputs::Outputs(std::filesystem::path folder, const config::Config& config, con
       trajectory_(folder_ / "trajectory.tum"),
       egomotion_(folder_ / "egomotion.csv"),
       obstacles_(folder_ / "obstacles.csv"),
+      contacts_(folder_ / "contacts.csv"),
       rawlog_(folder_ / "result.rawlog", config.pipeline.obstacles.range_max_m),
       map_(config.map) {
     if (!optional.video.empty()) video_.emplace(optional.video, config.map.size_m);
@@ -69,6 +70,7 @@ void Outputs::write(const Field& field, const pipeline::Step& step) {
     trajectory_.write(step.timestamp_s, step.T_start_robot);
     egomotion_.write(step);
     obstacles_.write(step);
+    contacts_.write(step);
     rawlog_.write(step);
     ++written_.trajectory_poses;
     ++written_.egomotion_rows;
@@ -83,6 +85,7 @@ void Outputs::finish(evaluation::Drive& drive, const report::ThumbnailStrip& thu
     trajectory_.close();
     egomotion_.close();
     obstacles_.close();
+    contacts_.close();
     rawlog_.close();
     if (video_) video_->close();
     if (flow_field_) flow_field_->close();

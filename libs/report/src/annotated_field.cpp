@@ -6,7 +6,10 @@
 #include <string>
 
 #include "flownav/cli/number_text.h"
+#include "flownav/core/strip_counts.h"
 #include "flownav/math/units.h"
+#include "flownav/report/cause_style.h"
+#include "flownav/report/contact_drawing.h"
 #include "flownav/report/field_drawing.h"
 #include "flownav/report/palette.h"
 
@@ -75,24 +78,47 @@ class Caption {
     cv::Mat band_;
 };
 
-}  // namespace
-
-cv::Mat marked_field(const Field& field, const pipeline::Step& step, const FieldScale& scale) {
-    cv::Mat picture = scaled_field(field, scale);
-    for (const LabelStyle& style : label_styles()) tint_blocks(picture, step, scale, style);
-    for (const LabelStyle& style : label_styles()) draw_vectors(picture, step, scale, style);
-    return picture;
-}
-
-cv::Mat annotated_field(const Field& field, const pipeline::Step& step) {
-    const cv::Mat picture = marked_field(field, step, picture_scale(field));
-    Caption caption(picture.cols);
-    caption.add(state_text(step));
-    caption.new_line();
+void add_labels(Caption& caption, const pipeline::Step& step) {
     for (auto style = label_styles().rbegin(); style != label_styles().rend(); ++style) {
         caption.add(std::string(style->name) + ' ' + std::to_string(count_of(step, style->label)),
                     &style->colour);
     }
+}
+
+/// Strips of the contact scan by content.
+void add_contacts(Caption& caption, const ContactScan& contacts) {
+    const StripCounts counts = counts_of(contacts);
+    caption.add(std::string("contact scan ") + to_string(contacts.gate));
+    caption.add("floor " + std::to_string(counts.free), &confirmed_floor);
+    for (const CauseStyle& style : cause_styles()) {
+        if (style.cause == BeamCause::Blocks) continue;
+        const int count = counts.by_cause.at(static_cast<std::size_t>(style.cause));
+        caption.add(std::string(style.name) + ' ' + std::to_string(count), &style.colour);
+    }
+    caption.add("unknown " + std::to_string(counts.unknown));
+}
+
+}  // namespace
+
+cv::Mat marked_field(const Field& field, const pipeline::Step& step, const ContactScan& contacts,
+                     const FieldScale& scale) {
+    cv::Mat picture = scaled_field(field, scale);
+    const CameraModel camera = camera_in_use(field, step);
+    tint_free_floor(picture, contacts, camera, scale);
+    for (const LabelStyle& style : label_styles()) tint_blocks(picture, step, scale, style);
+    for (const LabelStyle& style : label_styles()) draw_vectors(picture, step, scale, style);
+    draw_contacts(picture, contacts, camera, scale);
+    return picture;
+}
+
+cv::Mat annotated_field(const Field& field, const pipeline::Step& step, const ContactScan& contacts) {
+    const cv::Mat picture = marked_field(field, step, contacts, picture_scale(field));
+    Caption caption(picture.cols);
+    caption.add(state_text(step));
+    caption.new_line();
+    add_labels(caption, step);
+    caption.new_line();
+    add_contacts(caption, contacts);
     cv::Mat result;
     cv::vconcat(picture, caption.band(), result);
     return result;

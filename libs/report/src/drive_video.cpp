@@ -66,6 +66,7 @@ void DriveVideo::remember(const pipeline::Step& step) {
         driven_m_ += std::hypot(pose.x_m - before.x_m, pose.y_m - before.y_m);
     }
     scene_.path.push_back(pose);
+    contacts_.take(step);
     if (!step.end_of_cycle) return;
     scene_.points_m.clear();
     for (const ObstaclePoint& point : step.obstacles) {
@@ -83,7 +84,8 @@ void DriveVideo::write(const Field& field, const pipeline::Step& step,
     while (due_s_ < now_s - period_s / 2) put();
     last_s_ = now_s;
     if (due_s_ > now_s + period_s / 2) return;
-    const cv::Mat annotated = annotated_field(field, step);
+    const cv::Mat annotated = annotated_field(field, step, contacts_.scan());
+    scene_.contacts = contact_segments(contacts_.scan(), step.T_start_robot);
     if (first) canvas_px_ = canvas_size(annotated);
     const cv::Mat window = map_window(map, scene_, map_size_m_, canvas_px_.height - band_px);
     const std::string text = "time " + cli::fixed_text(now_s - start_s_, 2) + " s    driven " +

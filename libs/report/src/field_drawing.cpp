@@ -27,6 +27,12 @@ void draw_arrow(cv::Mat& picture, const cv::Point& from, const cv::Point& to, co
 
 }  // namespace
 
+CameraModel camera_in_use(const Field& field, const pipeline::Step& step) {
+    CameraModel camera = field.camera;
+    camera.mount.pitch_rad += step.pitch_correction_rad;
+    return camera;
+}
+
 double pixel_aspect(const Field& field) {
     const double stretch = field.camera.fy_px > 0 ? field.camera.fx_px / field.camera.fy_px : 1.0;
     return std::clamp(stretch, 0.5, 2.0);

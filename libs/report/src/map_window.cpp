@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "flownav/cli/number_text.h"
+#include "flownav/report/cause_style.h"
 #include "flownav/report/map_canvas.h"
 #include "flownav/report/palette.h"
 
@@ -18,6 +19,15 @@ void draw_points(MapCanvas& canvas, const std::vector<Eigen::Vector2d>& points_m
     for (const Eigen::Vector2d& point_m : points_m) {
         canvas.draw_circle(point_m, radius_px + 1.0, rim, cv::FILLED);
         canvas.draw_circle(point_m, radius_px, palette::vermilion, cv::FILLED);
+    }
+}
+
+void draw_contacts(MapCanvas& canvas, const std::vector<ContactSegment>& contacts) {
+    for (const ContactSegment& contact : contacts) {
+        const Colour colour = colour_of(contact.cause);
+        canvas.draw_line({contact.near_m, contact.far_m}, colour, 1);
+        canvas.draw_line({contact.right_m, contact.left_m}, palette::ink, 5);
+        canvas.draw_line({contact.right_m, contact.left_m}, colour, 3);
     }
 }
 
@@ -65,6 +75,7 @@ cv::Mat map_window(const mrpt::maps::COccupancyGridMap2D& grid, const MapWindowS
     canvas.draw_map(grid);
     canvas.draw_line(positions_m(scene.path), palette::blue, 2);
     draw_points(canvas, scene.points_m);
+    draw_contacts(canvas, scene.contacts);
     draw_robot(canvas, robot);
     draw_scale(canvas);
     return canvas.picture();

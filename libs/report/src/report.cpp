@@ -5,6 +5,7 @@
 
 #include "flownav/cli/number_text.h"
 #include "flownav/core/version.h"
+#include "flownav/report/cause_style.h"
 #include "flownav/report/data_uri.h"
 #include "flownav/report/html.h"
 #include "flownav/report/label_style.h"
@@ -106,9 +107,38 @@ std::string labels_legend() {
     return html::table({{"block"}, {"here", true}, {"meaning"}}, rows);
 }
 
+const char* meaning_of(BeamCause cause) {
+    switch (cause) {
+        case BeamCause::None:
+            return "";
+        case BeamCause::Blocks:
+            return "an obstacle point of blocks stands there";
+        case BeamCause::Votes:
+            return "pixels above this line do not move as the floor does";
+        case BeamCause::Wall:
+            return "a surface without edges reaches from above the horizon down to here";
+        case BeamCause::Drop:
+            return "the floor ends: what is seen there lies below it";
+    }
+    return "";
+}
+
+std::string strips_legend() {
+    const auto line = [](const char* name, const std::string& colour, const char* meaning) {
+        html::Cell cell(name);
+        cell.mark = colour;
+        return html::row({cell, {"", true}, {meaning}}, std::string("strip.") + name);
+    };
+    std::string rows = line("floor", confirmed_floor.css(), "tinted: confirmed as floor");
+    for (const CauseStyle& style : cause_styles())
+        rows += line(style.name, style.colour.css(), meaning_of(style.cause));
+    rows += line("unknown", palette::grey.css(), "neither floor nor contact was told");
+    return html::table({{"strip"}, {"here", true}, {"meaning"}}, rows);
+}
+
 std::string panel(const ThumbnailStrip& thumbnail_strip, double start_s) {
     return "<aside id='panel'>\n<div id='follow'><p id='readout'></p>\n<img id='large' alt=''></div>\n" +
-           strip(thumbnail_strip, start_s) + labels_legend() +
+           strip(thumbnail_strip, start_s) + labels_legend() + strips_legend() +
            "<p class='help'>Arrows are the vectors of the running cycle, from its first field to this one; "
            "they "
            "end where the block is now. Fields of half the lines are shown at their true height.</p>\n"
@@ -127,7 +157,8 @@ std::string curves(const evaluation::Drive& drive) {
         "start; square: end; the arrow head is the robot at the moment shown.</figcaption></figure>\n"
         "<figure class='plan'><canvas id='map'></canvas><figcaption>Map of the drive. White: floor "
         "seen to be free; black: occupied; grey: not known. Orange dots: obstacle points of the "
-        "picture shown.</figcaption></figure>\n</section>\n"
+        "picture shown; lines: its contacts, in the colours of their "
+        "causes.</figcaption></figure>\n</section>\n"
         "<section>\n<h2>Over time</h2>\n<div id='charts'></div>\n</section>\n"
         "<section id='timing'>\n<h2>Time per stage</h2>\n<div id='times'></div>\n<p class='help'>";
     html +=

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "flownav/evaluation/summary_facts.h"
+#include "flownav/report/cause_style.h"
 #include "flownav/report/data_uri.h"
 #include "flownav/report/label_style.h"
 #include "flownav/report/map_picture.h"
@@ -144,6 +145,26 @@ Json map_json(const evaluation::Drive& drive, const mrpt::maps::COccupancyGridMa
             {"columns", picture.cells.cols},     {"rows", picture.cells.rows}};
 }
 
+/// [x, y, x, y, colour] of the ends of every contact, right end first.
+Json contacts_json(const std::vector<ContactSegment>& segments) {
+    Json contacts = Json::array();
+    for (const ContactSegment& segment : segments) {
+        contacts.push_back({rounded(segment.right_m.x(), 2), rounded(segment.right_m.y(), 2),
+                            rounded(segment.left_m.x(), 2), rounded(segment.left_m.y(), 2),
+                            colour_of(segment.cause).css()});
+    }
+    return contacts;
+}
+
+/// Strips by content, in the order of the rows of the legend.
+Json strips_json(const StripCounts& strips) {
+    Json counts = {strips.free};
+    for (const CauseStyle& style : cause_styles())
+        counts.push_back(strips.by_cause.at(static_cast<std::size_t>(style.cause)));
+    counts.push_back(strips.unknown);
+    return counts;
+}
+
 /// The pictures themselves stand in the page.
 Json pictures_json(const ThumbnailStrip& thumbnail_strip, double start_s) {
     Json pictures = Json::array();
@@ -156,7 +177,9 @@ Json pictures_json(const ThumbnailStrip& thumbnail_strip, double start_s) {
             labels.push_back(picture.labels.at(static_cast<std::size_t>(style.label)));
         pictures.push_back({{"t", rounded(picture.timestamp_s - start_s, 3)},
                             {"labels", std::move(labels)},
-                            {"points", std::move(points)}});
+                            {"points", std::move(points)},
+                            {"strips", strips_json(picture.strips)},
+                            {"contacts", contacts_json(picture.contacts)}});
     }
     return pictures;
 }

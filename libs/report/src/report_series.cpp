@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "contact_charts.h"
 #include "flownav/math/units.h"
 #include "flownav/report/label_style.h"
 
@@ -130,21 +131,15 @@ ReportChart distance_chart(const evaluation::Drive& drive) {
 }
 
 /// A chart with a time for the end of each cycle and for each field without motion: within a cycle the counts
-/// rise and fall, which hides what they tell. The first and the last field are there always.
-ReportChart chart_of_cycles(const evaluation::Drive& drive, std::vector<const evaluation::FieldRow*>& shown) {
-    ReportChart chart;
-    chart.from_zero = true;
-    for (const evaluation::FieldRow& row : drive.rows) {
-        const bool is_border = &row == &drive.rows.front() || &row == &drive.rows.back();
-        if (!row.end_of_cycle && row.status == FieldStatus::Ok && !is_border) continue;
-        chart.t_s.push_back(row.timestamp_s - drive.rows.front().timestamp_s);
-        shown.push_back(&row);
-    }
-    return chart;
+/// rise and fall, which hides what they tell.
+ReportChart chart_of_cycles(const evaluation::Drive& drive, ChartRows& shown) {
+    return chart_of_rows(drive, shown, [](const evaluation::FieldRow& row) {
+        return row.end_of_cycle || row.status != FieldStatus::Ok;
+    });
 }
 
 ReportChart labels_chart(const evaluation::Drive& drive) {
-    std::vector<const evaluation::FieldRow*> shown;
+    ChartRows shown;
     ReportChart chart = chart_of_cycles(drive, shown);
     chart.id = "labels";
     chart.title = "Blocks by label";
@@ -162,7 +157,7 @@ ReportChart labels_chart(const evaluation::Drive& drive) {
 }
 
 ReportChart counts_chart(const evaluation::Drive& drive) {
-    std::vector<const evaluation::FieldRow*> shown;
+    ChartRows shown;
     ReportChart chart = chart_of_cycles(drive, shown);
     chart.id = "counts";
     chart.title = "How far the blocks got";
@@ -214,6 +209,7 @@ std::vector<ReportChart> report_charts(const evaluation::Drive& drive) {
     if (!drive.ground_truth.empty()) charts.push_back(distance_chart(drive));
     charts.push_back(labels_chart(drive));
     charts.push_back(counts_chart(drive));
+    for (ReportChart& chart : contact_charts(drive)) charts.push_back(std::move(chart));
     return charts;
 }
 

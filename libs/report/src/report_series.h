@@ -13,7 +13,8 @@ struct ReportTrack {
     std::vector<Pose2> poses;
 };
 
-/// Charts over time: turn rate, forward speed, heading, distance from the truth, blocks by label, counts.
+/// Charts over time: turn rate, forward speed, heading, distance from the truth, blocks by label, counts;
+/// with contact scans their strips and the fit of the floor.
 std::vector<ReportChart> report_charts(const evaluation::Drive& drive);
 
 /// Flow, odometry and truth, as far as there are any; one pose a field.

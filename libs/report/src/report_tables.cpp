@@ -50,8 +50,11 @@ std::string figure_rows(const Json& part, const std::string& path) {
             rows += row(explained({name, value_cell(value)}, key), key);
             continue;
         }
-        for (const auto& [label, count] : value.items())
-            rows += row(explained({label, value_cell(count)}, key), joined(key, label));
+        for (const auto& [label, count] : value.items()) {
+            const std::string own_key = joined(key, label);
+            const bool has_words = figure_words(own_key) != nullptr;
+            rows += row(explained({label, value_cell(count)}, has_words ? own_key : key), own_key);
+        }
     }
     return rows;
 }
@@ -139,6 +142,7 @@ std::string report_tables(const evaluation::Drive& drive, const config::Config& 
     if (!summary.at("drive").is_null()) html += html::section("The drive", figures(summary, "drive"));
     html += html::section("Status of the fields", statuses(drive.rows));
     html += html::section("Where the motion came from", figures(summary, "motion"));
+    html += html::section("Contact scan", figures(summary, "contacts"));
     html += html::section("Why fields were bad", figures(summary, "bad_fields"));
     html += html::section("What was rejected, and why", rejected(drive.read));
     html += html::section("What was read", figures(summary, "read"));

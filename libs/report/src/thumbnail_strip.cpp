@@ -31,11 +31,12 @@ std::vector<std::uint8_t> encoded(const cv::Mat& picture, const Look& look) {
     return bytes;
 }
 
-std::vector<std::uint8_t> jpeg_of(const Field& field, const pipeline::Step& step, const Look& look) {
+std::vector<std::uint8_t> jpeg_of(const Field& field, const pipeline::Step& step, const ContactScan& contacts,
+                                  const Look& look) {
     const double aspect = pixel_aspect(field);
     const double tall = field.image.height_px * aspect / field.image.width_px;
     const double zoom = width_px(look, tall) / field.image.width_px;
-    return encoded(marked_field(field, step, {zoom, zoom * aspect}), look);
+    return encoded(marked_field(field, step, contacts, {zoom, zoom * aspect}), look);
 }
 
 std::vector<std::uint8_t> shrunk(const std::vector<std::uint8_t>& jpeg) {
@@ -45,7 +46,8 @@ std::vector<std::uint8_t> shrunk(const std::vector<std::uint8_t>& jpeg) {
     return encoded(picture, small_look);
 }
 
-ThumbnailStrip::Picture picture_of(const Field& field, const pipeline::Step& step, const Look& look) {
+ThumbnailStrip::Picture picture_of(const Field& field, const pipeline::Step& step,
+                                   const ContactScan& contacts, const Look& look) {
     ThumbnailStrip::Picture picture;
     picture.timestamp_s = step.timestamp_s;
     picture.labels = evaluation::label_counts_of(step);
@@ -53,7 +55,9 @@ ThumbnailStrip::Picture picture_of(const Field& field, const pipeline::Step& ste
         const Eigen::Vector2d at_m = point.position_m.head<2>();
         picture.points_m.push_back(transform(step.T_start_robot, at_m));
     }
-    picture.jpeg = jpeg_of(field, step, look);
+    picture.strips = counts_of(contacts);
+    picture.contacts = contact_segments(contacts, step.T_start_robot);
+    picture.jpeg = jpeg_of(field, step, contacts, look);
     return picture;
 }
 
@@ -74,6 +78,7 @@ bool ThumbnailStrip::is_due(const pipeline::Step& step) const {
 }
 
 void ThumbnailStrip::offer(const Field& field, const pipeline::Step& step) {
+    contacts_.take(step);
     const bool begun = pending_.valid() || !pictures_.empty();
     if (begun && step.timestamp_s < due_s_) return;
     settle();  // the room that the last one takes may put off the next
@@ -87,9 +92,10 @@ void ThumbnailStrip::offer(const Field& field, const pipeline::Step& step) {
     }
     // Without a thread to spare it is drawn when it is asked for.
     const auto how = std::launch::deferred | (in_background_ ? std::launch::async : std::launch::deferred);
-    pending_ = std::async(how, [field, step, look = small_ ? small_look : large_look] {
-        return picture_of(field, step, look);
-    });
+    pending_ =
+        std::async(how, [field, step, contacts = contacts_.scan(), look = small_ ? small_look : large_look] {
+            return picture_of(field, step, contacts, look);
+        });
     due_s_ = step.timestamp_s + (first ? 0.0 : interval_s_);
     if (!in_background_) settle();
 }

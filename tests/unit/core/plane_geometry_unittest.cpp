@@ -52,6 +52,27 @@ void expect_near(const Vector2d& p, const Vector2d& q) {
     EXPECT_NEAR(p.y(), q.y(), 1e-6);
 }
 
+TEST(PlaneGeometry, APointOfTheFloorIsSeenWhereACameraProjectsIt) {
+    const CameraModel camera = unit_camera();
+    const CameraMount& mount = camera.mount;
+    for (const double forward_m : {0.5, 2.0, 7.0}) {
+        for (const double right_m : {-1.0, 0.0, 0.4}) {
+            const auto at = PlaneGeometry(mount).floor_at(forward_m, right_m);
+            ASSERT_TRUE(at);
+            const Vector3d point_m(mount.forward_m + forward_m, mount.left_m - right_m, 0.0);
+            expect_near(*at, *testing::project({camera, {}, 0.0}, point_m));
+        }
+    }
+}
+
+TEST(PlaneGeometry, FloorToTheRightIsSeenOnTheRightAndFloorBehindTheCameraIsNotSeen) {
+    const PlaneGeometry plane(unit_camera().mount);
+    EXPECT_GT(plane.floor_at(2.0, 0.5)->x(), 0.0);
+    EXPECT_LT(plane.floor_at(2.0, -0.5)->x(), 0.0);
+    EXPECT_GT(plane.floor_at(1.0, 0.0)->y(), plane.floor_at(2.0, 0.0)->y()) << "near floor is lower";
+    EXPECT_FALSE(plane.floor_at(-20.0, 0.0));
+}
+
 TEST(PlaneGeometry, FieldEIsTheFlowOfDrivingForwardTimesDepth) {
     const CameraModel camera = unit_camera();
     for (const Vector2d& at : places) {

@@ -32,6 +32,12 @@ TEST(Words, EveryFateHasItsOwn) {
     expect_words_to_differ(BlockLabel::Unjudged);
 }
 
+TEST(Words, EveryKindOfABeamHasItsOwn) {
+    EXPECT_STREQ(to_string(BeamKind::Unknown), "unknown");
+    EXPECT_STREQ(to_string(BeamKind::Free), "free");
+    EXPECT_STREQ(to_string(BeamKind::Obstacle), "obstacle");
+}
+
 TEST(Words, EveryCauseGateAndSourceHasItsOwn) {
     expect_words_to_differ(BeamCause::Drop);
     expect_words_to_differ(ContactGate::PoorFloor);

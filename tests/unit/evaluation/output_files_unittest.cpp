@@ -119,10 +119,11 @@ TEST(EgomotionCsv, HasTheDocumentedColumns) {
     EXPECT_EQ(
         content(file),
         "timestamp,status,omega_radps,pitch_rate_radps,v_mps,v_measured,image_of_cycle,placed,confident,"
-        "inliers,ground_window,obstacles,carried_s,carried_sigma_m,carried_sigma_rad,omega_source,v_source\n"
-        "1000.000000,waiting,,,,0,0,0,0,0,0,0,0.000000,0.0000,0.00000,prediction,prediction\n"
+        "inliers,ground_window,obstacles,carried_s,carried_sigma_m,carried_sigma_rad,omega_source,"
+        "forward_source,contact_gate,floor_fit,vignetting,strips_free,strips_obstacle,strips_unknown\n"
+        "1000.000000,waiting,,,,0,0,0,0,0,0,0,0.000000,0.0000,0.00000,,,,,,,,\n"
         "1000.160000,ok,0.200000,-0.001000,0.400000,1,4,350,320,300,20,2,0.250000,0.0300,0.00400,flow,"
-        "flow\n");
+        "wheels,open,0.8100,0.2000,2,3,1\n");
 }
 
 TEST(EgomotionCsv, ATurnThatAnotherSensorToldHasItsSource) {
@@ -136,7 +137,7 @@ TEST(EgomotionCsv, ATurnThatAnotherSensorToldHasItsSource) {
     csv.close();
     const std::string text = content(file);
     EXPECT_NE(text.find("\n1000.040000,no_texture,0.200000,,0.400000,0,1,"), std::string::npos) << text;
-    EXPECT_NE(text.find(",gyro,wheels\n"), std::string::npos) << text;
+    EXPECT_NE(text.find(",gyro,wheels,"), std::string::npos) << text;
 }
 
 TEST(EgomotionCsv, ATurnThatWasNotMeasuredAndNumbersThatAreNoneAreEmptyCells) {
@@ -149,6 +150,87 @@ TEST(EgomotionCsv, ATurnThatWasNotMeasuredAndNumbersThatAreNoneAreEmptyCells) {
     csv.write(step);
     csv.close();
     EXPECT_NE(content(file).find("\n1000.040000,no_texture,,,,0,1,"), std::string::npos);
+}
+
+TEST(EgomotionCsv, AClosedGateIsNamedAndHasNoFigures) {
+    const auto file = test_folder() / "e.csv";
+    pipeline::Step step = testing::step_at(4);
+    step.contacts = {};
+    step.contacts.gate = ContactGate::NoTravel;
+    EgomotionCsv csv(file);
+    csv.write(step);
+    csv.close();
+    EXPECT_NE(content(file).find(",flow,wheels,no_travel,,,,,\n"), std::string::npos) << content(file);
+}
+
+TEST(EgomotionCsv, APoorFloorTellsHowLittleOfItFits) {
+    const auto file = test_folder() / "e.csv";
+    pipeline::Step step = testing::step_at(4);
+    step.contacts.gate = ContactGate::PoorFloor;
+    step.contacts.floor.fit_share = 0.3;
+    EgomotionCsv csv(file);
+    csv.write(step);
+    csv.close();
+    EXPECT_NE(content(file).find(",poor_floor,0.3000,0.2000,,,\n"), std::string::npos) << content(file);
+}
+
+TEST(EgomotionCsv, AFieldWithoutANewContactScanHasNoneInItsRow) {
+    const auto file = test_folder() / "e.csv";
+    pipeline::Step step = testing::step_at(4);
+    step.new_contacts = false;
+    EgomotionCsv csv(file);
+    csv.write(step);
+    csv.close();
+    EXPECT_NE(content(file).find(",flow,wheels,,,,,,\n"), std::string::npos) << content(file);
+}
+
+TEST(ContactsCsv, HasARowForEachStripWithThePlaceOfAContact) {
+    const auto file = test_folder() / "c.csv";
+    ContactsCsv csv(file);
+    csv.write(testing::step_at(3));
+    csv.write(testing::step_at(4));
+    csv.close();
+    EXPECT_EQ(
+        content(file),
+        "timestamp,tangent_right,bearing_rad,kind,seen,cause,free_m,contact_m,near_m,far_m,score,x_m,y_m\n"
+        "1000.160000,-0.2500,0.2450,obstacle,1,votes,1.2000,1.5000,1.4000,1.7000,210.0,1.6000,0.4250\n"
+        "1000.160000,-0.1500,0.1489,free,1,,3.0000,,,,,,\n"
+        "1000.160000,-0.0500,0.0500,unknown,0,,0.0000,,,,,,\n"
+        "1000.160000,0.0500,-0.0500,free,1,,2.5000,,,,,,\n"
+        "1000.160000,0.1500,-0.1489,obstacle,1,wall,1.8000,2.0000,1.9000,2.2000,0.0,2.1000,-0.2500\n"
+        "1000.160000,0.2500,-0.2450,obstacle,1,drop,0.9000,1.0000,1.0000,1.2000,12.0,1.1000,-0.2000\n");
+}
+
+TEST(ContactsCsv, ACycleBehindAClosedGateHasNoRows) {
+    const auto file = test_folder() / "c.csv";
+    pipeline::Step step = testing::step_at(4);
+    step.contacts.gate = ContactGate::PoorFloor;
+    ContactsCsv csv(file);
+    csv.write(step);
+    csv.close();
+    EXPECT_EQ(content(file).find('\n'), content(file).size() - 1) << "the names only";
+}
+
+TEST(ContactsCsv, AContactOnTheRightHasANegativeYAndANegativeBearing) {
+    const auto file = test_folder() / "c.csv";
+    pipeline::Step step = testing::step_at(4);
+    step.contacts.strips.erase(step.contacts.strips.begin(), step.contacts.strips.begin() + 4);
+    step.contacts.first = 1;
+    ContactsCsv csv(file);
+    csv.write(step);
+    csv.close();
+    EXPECT_NE(content(file).find(",0.1500,-0.1489,obstacle,"), std::string::npos) << content(file);
+    EXPECT_NE(content(file).find(",2.1000,-0.2500\n"), std::string::npos) << content(file);
+}
+
+TEST(ContactsCsv, PlacesAreInTheFrameOfTheRowAlthoughTheScanIsOfAnEarlierPose) {
+    const auto file = test_folder() / "c.csv";
+    pipeline::Step step = testing::step_at(4);
+    step.contacts.T_robot_scan = {-0.3, 0.0, 0.0};  // the robot has driven on by 0.3 m
+    ContactsCsv csv(file);
+    csv.write(step);
+    csv.close();
+    EXPECT_NE(content(file).find(",1.3000,0.4250\n"), std::string::npos) << content(file);
 }
 
 TEST(ObstaclesCsv, HasARowForEachPoint) {

@@ -34,12 +34,28 @@ TEST(Summary, HoldsCountsErrorsConfigurationAndOneTimingObject) {
     EXPECT_EQ(json["timing"]["fields_per_s"], 50.0);
 }
 
+TEST(Summary, HoldsTheFiguresOfTheContactScans) {
+    const auto json = nlohmann::json::parse(summary_json(sample_drive(21), config::Config{}, {}));
+    const auto& contacts = json["contacts"];
+    EXPECT_EQ(contacts["scans"], 5);
+    EXPECT_EQ(contacts["rows"], 30);
+    EXPECT_EQ(contacts["scanned_percent"], 100.0);
+    EXPECT_EQ(contacts["by_gate"]["open"], 5);
+    EXPECT_EQ(contacts["by_gate"]["no_travel"], 0);
+    EXPECT_EQ(contacts["contacts"], 3.0);
+    EXPECT_EQ(contacts["by_cause"]["wall"], 5);
+    EXPECT_EQ(contacts["floor_fit"], 0.81);
+    EXPECT_EQ(contacts["vignetting"], 0.2);
+}
+
 TEST(Summary, WhatCouldNotBeComputedIsNull) {
     Drive drive = sample_drive(3);
     drive.odometry_errors.reset();
     const auto json = nlohmann::json::parse(summary_json(drive, config::Config{}, {}));
     EXPECT_TRUE(json["errors"]["odometry"].is_null());
     EXPECT_TRUE(json["errors"]["ground_truth"]["omega_rms_degps"].is_null());
+    EXPECT_TRUE(json["contacts"]["contacts"].is_null()) << "no cycle has ended";
+    EXPECT_TRUE(json["contacts"]["vignetting"].is_null());
 }
 
 TEST(Summary, OnlyTheTimingDependsOnTheRun) {

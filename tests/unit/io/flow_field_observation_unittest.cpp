@@ -19,6 +19,7 @@ using mrpt::serialization::archiveFrom;
 using testing::expect_equal;
 using testing::first_flow_field;
 using testing::rich_flow_field;
+using testing::rich_flow_field_of_version;
 
 std::vector<std::uint8_t> bytes_of(const CObservationFlowField& observation) {
     mrpt::io::CMemoryStream memory;
@@ -71,21 +72,45 @@ TEST(FlowFieldObservation, EveryStatusSurvivesItsStorage) {
     }
 }
 
-TEST(FlowFieldObservation, AnOldFileStillLoads) {
+TEST(FlowFieldObservation, FilesOfEveryEarlierVersionStillLoad) {
     mrpt::rtti::registerClass(CLASS_ID(CObservationFlowField));
-    mrpt::io::CFileGZInputStream file(FLOWNAV_FLOW_FIELD_V0);
-    auto archive = archiveFrom(file);
-    expect_equal(*archive.ReadObject<CObservationFlowField>(), *first_flow_field());
-    const auto rich = rich_flow_field();
-    for (GroundPatch& patch : rich->step.ground) patch.width_m = 0.0;  // version 0 has no widths
-    expect_equal(*archive.ReadObject<CObservationFlowField>(), *rich);
-    EXPECT_THROW(archive.ReadObject(), mrpt::serialization::CExceptionEOF);
+    for (const int version : {0, 1}) {
+        SCOPED_TRACE(version);
+        const std::string name = "/flow_field_v" + std::to_string(version) + ".rawlog";
+        mrpt::io::CFileGZInputStream file(FLOWNAV_FLOW_FIELD_FILES + name);
+        auto archive = archiveFrom(file);
+        expect_equal(*archive.ReadObject<CObservationFlowField>(), *first_flow_field());
+        expect_equal(*archive.ReadObject<CObservationFlowField>(), *rich_flow_field_of_version(version));
+        EXPECT_THROW(archive.ReadObject(), mrpt::serialization::CExceptionEOF);
+    }
+}
+
+TEST(FlowFieldObservation, AContactScanIsStoredWithTheFieldThatMadeItOnly) {
+    const auto field = rich_flow_field();
+    field->step.new_contacts = false;
+    const auto read = read_from(bytes_of(*field));
+    EXPECT_FALSE(read->step.new_contacts);
+    EXPECT_TRUE(read->step.contacts.strips.empty());
+    EXPECT_EQ(read->step.contacts.gate, ContactGate::Off);
+}
+
+TEST(FlowFieldObservation, EveryGateAndEverySourceSurvivesItsStorage) {
+    const auto field = rich_flow_field();
+    for (const ContactGate gate : all_contact_gates) {
+        field->step.contacts.gate = gate;
+        EXPECT_EQ(read_from(bytes_of(*field))->step.contacts.gate, gate);
+    }
+    for (const MotionSource source :
+         {MotionSource::Prediction, MotionSource::Flow, MotionSource::Wheels, MotionSource::Gyro}) {
+        field->step.motion.forward_source = source;
+        EXPECT_EQ(read_from(bytes_of(*field))->step.motion.forward_source, source);
+    }
 }
 
 TEST(FlowFieldObservation, AVersionOfTheFutureIsRefused) {
     auto bytes = bytes_of(*first_flow_field());
     const std::string name = "flownav::CObservationFlowField";
-    bytes[1 + name.size()] = 2;  // offset after the length and the name of the class
+    bytes[1 + name.size()] = 3;  // offset after the length and the name of the class
     try {
         read_from(bytes);
         FAIL() << "was read";
@@ -149,7 +174,9 @@ TEST(FlowFieldObservation, TheDescriptionSaysWhatThereIsWithUnits) {
     for (const char* part :
          {"FLOW_FIELD", "768 x 288 px", "25.00 deg down", "Status: ok", "deg/s", "m/s (measured)",
           "Blocks: 8; placed 350", "by fate: unplaced 1 sifted 1 eliminated 1 ground 1 obstacle 1 moving 1",
-          "Obstacle points: 2", "moves by itself", "3 beams of 11.46 deg", "1 end at an obstacle"}) {
+          "Obstacle points: 2", "moves by itself", "7 beams of 11.46 deg", "5 end at an obstacle",
+          "deg (gyro)", "m (carried over)",
+          "Contact scan: poor_floor; 6 strips, 4 end at an obstacle, 1 are free", "  wall at "}) {
         EXPECT_NE(text.find(part), std::string::npos) << part << " is missing in\n" << text;
     }
 }
@@ -174,11 +201,29 @@ TEST(FlowFieldObservation, ARowHasTheColumnsOfItsHeader) {
     EXPECT_EQ(value("moving"), 2);
     EXPECT_EQ(value("blocks"), 8);
     EXPECT_EQ(value("obstacles"), 2);
-    EXPECT_EQ(row.size(), columns.size() + std::size_t{8} * 22 + std::size_t{2} * 7);
+    const std::size_t of_lists = std::size_t{8} * 22 + std::size_t{2} * 7;
+    EXPECT_EQ(row.size(), columns.size() + of_lists + 10 + std::size_t{6} * 9);
     EXPECT_NEAR(std::stod(row[columns.size()]), field->step.blocks[0].vector.at_px.x(), 1e-8);
     EXPECT_EQ(std::stod(row[columns.size() + std::size_t{22} * 3 + 18]), 3)
         << "the fate of the block that is ground";
-    EXPECT_EQ(row.back(), "1") << "the second obstacle moves";
+    EXPECT_EQ(row[columns.size() + of_lists - 1], "1") << "the second obstacle moves";
+}
+
+TEST(FlowFieldObservation, ARowEndsWithTheSourcesAndTheStripsOfTheContactScan) {
+    const auto field = rich_flow_field();
+    const auto row = words_of(field->exportTxtDataRow());
+    const std::size_t strips = row.size() - std::size_t{6} * 9;
+    EXPECT_EQ(row[strips - 10], "3") << "the gyro told the turn";
+    EXPECT_EQ(row[strips - 9], "0") << "the travel was carried over";
+    EXPECT_EQ(row[strips - 8], "1") << "the scan is new";
+    EXPECT_EQ(row[strips - 7], "3") << "too little floor fits";
+    EXPECT_EQ(row[strips - 1], "6") << "strips";
+    const ContactScan& scan = field->step.contacts;
+    EXPECT_NEAR(std::stod(row[strips]), -2.5 * scan.step, 1e-8) << "the first strip is to the left";
+    EXPECT_NEAR(std::stod(row[strips + 3 * 9 + 4]), scan.strips[3].contact_m, 1e-8);
+    EXPECT_EQ(row[strips + 3 * 9 + 2], "3") << "a wall";
+    field->step.new_contacts = false;
+    EXPECT_EQ(words_of(field->exportTxtDataRow()).back(), "0") << "no strips";
 }
 
 }  // namespace

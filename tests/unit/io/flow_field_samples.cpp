@@ -39,6 +39,26 @@ pipeline::BlockRecord block(Numbers& next, int i) {
     return b;
 }
 
+ContactStrip strip(Numbers& next, BeamKind kind, BeamCause cause) {
+    return {kind, cause, next(), next(), next(), next(), next(), kind != BeamKind::Unknown};
+}
+
+/// A strip of every kind and cause.
+ContactScan contacts(Numbers& next) {
+    ContactScan scan;
+    scan.gate = ContactGate::PoorFloor;
+    scan.first = -3;
+    scan.step = next();
+    scan.camera_m = next.pair();
+    scan.T_robot_scan = {next(), next(), next()};
+    scan.floor = {next(), next(), next(), next(), next(), next(), next(), next()};
+    scan.strips = {strip(next, BeamKind::Unknown, BeamCause::None),
+                   strip(next, BeamKind::Free, BeamCause::None)};
+    for (const BeamCause cause : {BeamCause::Votes, BeamCause::Wall, BeamCause::Drop, BeamCause::Blocks})
+        scan.strips.push_back(strip(next, BeamKind::Obstacle, cause));
+    return scan;
+}
+
 CameraModel camera() {
     CameraModel c{768, 288, 737.6, 368.8, 383.5, 143.25, {0.1, -0.05, 0.001, 0.002, 0.01}, {}};
     c.mount = {0.9, 0.4363, 0.02, -0.03, 0.1, 0.05};
@@ -60,6 +80,7 @@ pipeline::Step finished_cycle() {
     s.v_measured = true;
     s.pitch_correction_rad = next();
     s.motion = {next(), next(), next(), next(), next(), next(), true, false, 300, 20};
+    s.motion.omega_source = MotionSource::Gyro;
     s.T_start_robot = {next(), next(), next()};
     s.counts = {350, 320, 301, 21, 200, 15, 7, 3, 2};
     for (const BlockLabel label :
@@ -72,6 +93,10 @@ pipeline::Step finished_cycle() {
                    {{next(), next(), next()}, next(), next.pair(), true}};
     s.ground = {{next.pair(), next.pair(), 0.125}};
     s.scan = {-0.2, 0.2, {{BeamKind::Unknown, 0.0}, {BeamKind::Free, next()}, {BeamKind::Obstacle, next()}}};
+    for (const BeamCause cause : {BeamCause::Blocks, BeamCause::Votes, BeamCause::Wall, BeamCause::Drop})
+        s.scan.beams.push_back({BeamKind::Obstacle, next(), cause, next(), next()});
+    s.new_contacts = true;
+    s.contacts = contacts(next);
     return s;
 }
 
@@ -100,6 +125,8 @@ void expect_equal(const EgoMotion& a, const EgoMotion& b) {
     EXPECT_EQ(a.sigma_forward_m, b.sigma_forward_m);
     EXPECT_EQ(a.omega_measured, b.omega_measured);
     EXPECT_EQ(a.forward_measured, b.forward_measured);
+    EXPECT_EQ(a.omega_source, b.omega_source);
+    EXPECT_EQ(a.forward_source, b.forward_source);
     EXPECT_EQ(a.inliers, b.inliers);
     EXPECT_EQ(a.ground_window, b.ground_window);
 }
@@ -150,6 +177,31 @@ void expect_equal(const GroundPatch& a, const GroundPatch& b) {
 void expect_equal(const Beam& a, const Beam& b) {
     EXPECT_EQ(a.kind, b.kind);
     EXPECT_EQ(a.range_m, b.range_m);
+    EXPECT_EQ(a.cause, b.cause);
+    EXPECT_EQ(a.near_m, b.near_m);
+    EXPECT_EQ(a.far_m, b.far_m);
+}
+
+void expect_equal(const ContactStrip& a, const ContactStrip& b) {
+    EXPECT_EQ(a.kind, b.kind);
+    EXPECT_EQ(a.cause, b.cause);
+    EXPECT_EQ(a.free_m, b.free_m);
+    EXPECT_EQ(a.contact_m, b.contact_m);
+    EXPECT_EQ(a.near_m, b.near_m);
+    EXPECT_EQ(a.far_m, b.far_m);
+    EXPECT_EQ(a.score, b.score);
+    EXPECT_EQ(a.seen, b.seen);
+}
+
+void expect_equal(const FloorFit& a, const FloorFit& b) {
+    EXPECT_EQ(a.forward_m, b.forward_m);
+    EXPECT_EQ(a.omega_rad, b.omega_rad);
+    EXPECT_EQ(a.pitch_rad, b.pitch_rad);
+    EXPECT_EQ(a.roll_rad, b.roll_rad);
+    EXPECT_EQ(a.tilt_pitch_rad, b.tilt_pitch_rad);
+    EXPECT_EQ(a.tilt_roll_rad, b.tilt_roll_rad);
+    EXPECT_EQ(a.fit_share, b.fit_share);
+    EXPECT_EQ(a.vignetting, b.vignetting);
 }
 
 template <typename Element>
@@ -159,6 +211,18 @@ void expect_equal(const std::vector<Element>& a, const std::vector<Element>& b) 
         SCOPED_TRACE(i);
         expect_equal(a[i], b[i]);
     }
+}
+
+void expect_equal(const ContactScan& a, const ContactScan& b) {
+    EXPECT_EQ(a.gate, b.gate);
+    EXPECT_EQ(a.first, b.first);
+    EXPECT_EQ(a.step, b.step);
+    EXPECT_EQ(a.camera_m, b.camera_m);
+    EXPECT_EQ(a.T_robot_scan.x_m, b.T_robot_scan.x_m);
+    EXPECT_EQ(a.T_robot_scan.y_m, b.T_robot_scan.y_m);
+    EXPECT_EQ(a.T_robot_scan.yaw_rad, b.T_robot_scan.yaw_rad);
+    expect_equal(a.floor, b.floor);
+    expect_equal(a.strips, b.strips);
 }
 
 void expect_equal(const pipeline::Step& a, const pipeline::Step& b) {
@@ -184,12 +248,31 @@ void expect_equal(const pipeline::Step& a, const pipeline::Step& b) {
     EXPECT_EQ(a.scan.first_bearing_rad, b.scan.first_bearing_rad);
     EXPECT_EQ(a.scan.step_rad, b.scan.step_rad);
     expect_equal(a.scan.beams, b.scan.beams);
+    EXPECT_EQ(a.new_contacts, b.new_contacts);
+    expect_equal(a.contacts, b.contacts);
 }
 
 }  // namespace
 
 CObservationFlowField::Ptr rich_flow_field() {
     return flow_field_observation(finished_cycle(), camera());
+}
+
+CObservationFlowField::Ptr rich_flow_field_of_version(int version) {
+    auto field = rich_flow_field();
+    pipeline::Step& step = field->step;
+    if (version < 2) {
+        step.motion.omega_source = MotionSource::Flow;
+        step.scan.beams.resize(3);
+        Beam& obstacle = step.scan.beams.back();
+        obstacle = {BeamKind::Obstacle, obstacle.range_m, BeamCause::Blocks, obstacle.range_m,
+                    obstacle.range_m};
+        step.new_contacts = false;
+        step.contacts = {};
+    }
+    if (version < 1)
+        for (GroundPatch& patch : step.ground) patch.width_m = 0.0;
+    return field;
 }
 
 CObservationFlowField::Ptr first_flow_field() {

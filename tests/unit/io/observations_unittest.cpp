@@ -34,6 +34,17 @@ TEST(Observations, OnlyABeamThatEndsAtAnObstacleIsValid) {
     EXPECT_EQ(scan->getScanRange(2), 2.0F);
 }
 
+TEST(Observations, AnObstacleIsARangeWhateverItsCauseAndUnknownStaysInvalid) {
+    for (const BeamCause cause : {BeamCause::Blocks, BeamCause::Votes, BeamCause::Wall, BeamCause::Drop}) {
+        pipeline::Step step = finished_cycle();
+        step.scan.beams[1] = {BeamKind::Obstacle, 1.25, cause, 1.1, 1.4};
+        const auto scan = scan_observation(step, 8.0);
+        EXPECT_TRUE(scan->getScanRangeValidity(1)) << to_string(cause);
+        EXPECT_EQ(scan->getScanRange(1), 1.25F) << to_string(cause);
+        EXPECT_FALSE(scan->getScanRangeValidity(0));
+    }
+}
+
 TEST(Observations, TheBeamToTheLeftIsALeftPointOfTheMap) {
     const auto scan = scan_observation(finished_cycle(), 8.0);
     mrpt::maps::CSimplePointsMap points;

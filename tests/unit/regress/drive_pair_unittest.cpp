@@ -104,6 +104,24 @@ TEST_F(DrivePair, WhatACycleFoundHoldsUntilTheNextEnds) {
     EXPECT_EQ(obstacles.series[2].values[6], -5.0);
 }
 
+TEST_F(DrivePair, ContactsAreComparedAtTheFieldsThatBroughtAScan) {
+    Columns before = run_of(7, 20.0), after = run_of(7, 20.0);
+    before["strips_obstacle"] = after["strips_obstacle"] = std::vector<double>(7, std::nan(""));
+    before["strips_obstacle"][4] = 3.0;  // one field after the end of the cycle
+    after["strips_obstacle"][4] = 5.0;
+    const auto charts = paired_charts(before, after);
+    const report::ReportChart& contacts = chart(charts, "strips_obstacle");
+    EXPECT_EQ(contacts.series[0].values[4], 3.0);
+    EXPECT_EQ(contacts.series[2].values[4], 2.0);
+    EXPECT_EQ(contacts.series[0].values[3], report::ReportSeries::none) << "no interruption";
+}
+
+TEST_F(DrivePair, RunsOfAVersionWithoutTheColumnHaveNoCurveOfContacts) {
+    Columns after = run_of(7, 20.0);
+    after["strips_obstacle"] = std::vector<double>(7, 1.0);
+    EXPECT_THROW(chart(paired_charts(run_of(7, 20.0), after), "strips_obstacle"), std::out_of_range);
+}
+
 TEST_F(DrivePair, WithoutFilesThereAreNoCurves) {
     EXPECT_TRUE(paired_charts({}, run_of(4, 1.0)).empty());
 }

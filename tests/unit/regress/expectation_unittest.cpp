@@ -61,12 +61,25 @@ TEST(Expectation, FiguresThatComeAndGoAreNamed) {
     RunResults moved = two;
     moved[1].result.figures[bias] = 0.5;
     moved[0].result.figures.erase(ok);
-    moved[0].result.figures["rejected.new"] = 1.0;
+    moved[0].result.figures["errors.new"] = 1.0;
     const std::vector<Deviation> deviations = check(accept({}, two), moved);
     ASSERT_EQ(deviations.size(), 3U);
     EXPECT_EQ(deviations[0].message, "expected 40, is not there");
     EXPECT_EQ(deviations[1].message, "is 1, was not there before");
     EXPECT_EQ(deviations[2].message, "expected null, is 0.5");
+}
+
+TEST(Expectation, PartsThatTheExpectationLacksAltogetherAreNamedAndNotChecked) {
+    RunResults newer = two;
+    newer[0].result.figures["contacts.contacts"] = 2.5;
+    newer[1].result.figures["contacts.vignetting"] = std::nullopt;
+    const Expectation before = accept({}, two);
+    EXPECT_TRUE(check(before, newer).empty());
+    EXPECT_EQ(unchecked_parts(before, newer), (std::set<std::string>{"contacts"}));
+    const Expectation after = accept(before, newer);
+    EXPECT_TRUE(unchecked_parts(after, newer).empty());
+    newer[0].result.figures["contacts.contacts"] = 9.0;
+    EXPECT_EQ(check(after, newer).size(), 1U) << "once accepted it is checked";
 }
 
 TEST(Expectation, ARawlogWithoutResultOrExpectationIsNamed) {

@@ -48,7 +48,8 @@ TEST(ThreadedReplay, TwoThreadsGiveTheFilesOfOne) {
         options.config.pipeline.threads = threads;
         ASSERT_EQ(replay(options).status, cli::ExitStatus::Fine);
     }
-    for (const char* name : {"trajectory.tum", "obstacles.csv", "result.rawlog", "report.html"})
+    for (const char* name :
+         {"trajectory.tum", "obstacles.csv", "contacts.csv", "result.rawlog", "report.html"})
         EXPECT_EQ(bytes_of(folder / "1" / name), bytes_of(folder / "2" / name)) << name;
 }
 

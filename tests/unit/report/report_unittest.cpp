@@ -124,6 +124,34 @@ TEST(Report, ChartsHoldFlowOdometryAndTruthOverTime) {
     EXPECT_EQ(data["pictures"].size(), count_of(report_of(sample_drive(60)), "<figure><img"));
 }
 
+TEST(Report, ChartsHoldTheStripsOfEveryScanAndTheFitOfTheFloor) {
+    evaluation::Drive drive = sample_drive(21);
+    drive.rows[8].contacts.gate = ContactGate::NoTravel;
+    const json data = data_of(report_of(drive));
+    const json chart = chart_of(data, "contacts");
+    EXPECT_EQ(chart["t"], json({0, 0.16, 0.32, 0.48, 0.64, 0.8}));
+    EXPECT_EQ(series_of(chart, "free"), json({false, 2, false, 2, 2, 2}));
+    EXPECT_EQ(series_of(chart, "wall")[1], 1);
+    EXPECT_EQ(series_of(chart, "unknown")[1], 1);
+    EXPECT_EQ(series_of(chart_of(data, "floor"), "floor that fits")[1], 0.81);
+}
+
+TEST(Report, ADriveWithoutAScanHasNoChartOfThem) {
+    evaluation::Drive drive = sample_drive(21);
+    for (evaluation::FieldRow& row : drive.rows) row.contacts = {};
+    EXPECT_TRUE(chart_of(data_of(report_of(drive)), "contacts").is_null());
+}
+
+TEST(Report, PicturesHoldTheirContactsWithTheColoursOfTheCauses) {
+    const json picture = data_of(report_of(sample_drive(60)))["pictures"][0];
+    ASSERT_EQ(picture["contacts"].size(), 3U);
+    EXPECT_EQ(picture["contacts"][0][4], "#d55e00") << "votes, on the left";
+    EXPECT_EQ(picture["contacts"][1][4], "#56b4e9") << "a wall, on the right";
+    EXPECT_GT(picture["contacts"][0][1].get<double>(), picture["contacts"][1][1].get<double>());
+    EXPECT_EQ(picture["strips"], json({2, 1, 1, 1, 0, 1})) << "floor, contact, wall, drop, blocks, unknown";
+    EXPECT_EQ(count_of(report_of(sample_drive(60)), "data-key='strip."), 6U);
+}
+
 TEST(Report, WhatWasNotMeasuredIsAGap) {
     evaluation::Drive drive = sample_drive(50);
     drive.rows[21].status = FieldStatus::Lost;

@@ -25,6 +25,37 @@ pipeline::BlockRecord block(double u, double v, BlockLabel label) {
     return record;
 }
 
+ContactStrip free_to(double free_m) {
+    ContactStrip strip;
+    strip.kind = BeamKind::Free;
+    strip.free_m = free_m;
+    strip.seen = true;
+    return strip;
+}
+
+/// A contact at the first distance, between the second and the third.
+ContactStrip blocked(BeamCause cause, const std::array<double, 3>& contact_m, double free_m, double score) {
+    return {BeamKind::Obstacle, cause, free_m, contact_m[0], contact_m[1], contact_m[2], score, true};
+}
+
+/// From left to right: votes, free, unknown, free, wall, drop; 0.1 in the tangent each.
+ContactScan contacts() {
+    ContactScan scan;
+    scan.gate = ContactGate::Open;
+    scan.first = -3;
+    scan.step = 0.1;
+    scan.camera_m = {0.1, 0.05};
+    scan.floor.fit_share = 0.81;
+    scan.floor.vignetting = 0.2;
+    scan.strips = {blocked(BeamCause::Votes, {1.5, 1.4, 1.7}, 1.2, 210.0),
+                   free_to(3.0),
+                   {},
+                   free_to(2.5),
+                   blocked(BeamCause::Wall, {2.0, 1.9, 2.2}, 1.8, 0.0),
+                   blocked(BeamCause::Drop, {1.0, 1.0, 1.2}, 0.9, 12.0)};
+    return scan;
+}
+
 }  // namespace
 
 pipeline::Step step_at(int i, double omega_radps, double v_mps) {
@@ -46,12 +77,16 @@ pipeline::Step step_at(int i, double omega_radps, double v_mps) {
     step.counts.confident = 320;
     step.counts.inliers = 300;
     step.counts.ground_window = 20;
+    step.motion.omega_source = MotionSource::Flow;
+    step.motion.forward_source = MotionSource::Wheels;
     step.blocks = {block(100, 50, BlockLabel::Obstacle), block(300, 100, BlockLabel::Ground),
                    block(500, 200, BlockLabel::Sifted)};
     if (!step.end_of_cycle) return step;
     step.obstacles = {{{2.0, 0.5, 0.3}, 0.05, {104.0, 62.0}}, {{3.0, -0.25, 0.6}, 0.1, {600.5, 20.25}}};
     step.ground = {{{1.0, 0.0}, {1.5, 0.0}}};
     step.scan = {-0.1, 0.1, {{BeamKind::Unknown, 0.0}, {BeamKind::Free, 1.5}, {BeamKind::Obstacle, 2.0}}};
+    step.new_contacts = true;
+    step.contacts = contacts();
     return step;
 }
 

@@ -55,6 +55,31 @@ TEST(ThumbnailStrip, PointsAreInTheFrameOfTheStart) {
     EXPECT_LT((picture.points_m.front() - expected).norm(), 1e-12);
 }
 
+TEST(ThumbnailStrip, ContactsAreInTheFrameOfTheStart) {
+    ThumbnailStrip strip;
+    for (int i = 0; i < 5; ++i) strip.offer(pal_field(i), step_at(i));
+    const auto& picture = strip.pictures().back();
+    const pipeline::Step step = step_at(4);
+    ASSERT_EQ(picture.contacts.size(), 3U);
+    EXPECT_EQ(picture.strips.free, 2);
+    const Eigen::Vector2d in_robot_m(0.1 + 1.4, 0.05 + 0.25 * 1.4);
+    EXPECT_LT((picture.contacts[0].near_m - transform(step.T_start_robot, in_robot_m)).norm(), 1e-12);
+}
+
+TEST(ThumbnailStrip, APictureBetweenTwoScansShowsTheLastOne) {
+    ThumbnailStrip strip;
+    for (int i = 0; i < 7; ++i) {
+        pipeline::Step step = step_at(i);
+        if (i > 4) step.timestamp_s += 10.0;  // overdue: drawn in the middle of a cycle
+        strip.offer(pal_field(i), step);
+    }
+    const auto& pictures = strip.pictures();
+    ASSERT_EQ(pictures.size(), 2U);
+    ASSERT_EQ(pictures[1].contacts.size(), 3U);
+    EXPECT_LT((pictures[1].contacts[0].near_m - pictures[0].contacts[0].near_m).norm(), 1e-12)
+        << "the same place of the world";
+}
+
 TEST(ThumbnailStrip, ADriveWithoutCyclesIsShownAllTheSame) {
     ThumbnailStrip strip;
     strip.offer(pal_field(0), step_at(0));

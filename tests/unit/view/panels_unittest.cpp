@@ -4,6 +4,7 @@
 
 #include "block_panel.h"
 #include "field_panel.h"
+#include "flownav/report/cause_style.h"
 #include "flownav/report/label_style.h"
 #include "map_panel.h"
 #include "strip_panel.h"
@@ -96,6 +97,48 @@ TEST_F(Panels, TheMapShowsThePointsOfTheCycleWhereTheRobotSeesThem) {
     EXPECT_GT(near, static_cast<int>(model.frame().step.obstacles.size()) / 2);
     EXPECT_LT(map_px({1.0, 0.0}, size, 8.0).y, map_px({0.0, 0.0}, size, 8.0).y) << "ahead is up";
     EXPECT_LT(map_px({0.0, 1.0}, size, 8.0).x, map_px({0.0, 0.0}, size, 8.0).x) << "left is left";
+}
+
+/// The frame with a contact 1.5 m ahead on the left by votes, and one on the right by a wall.
+Frame with_contacts(const Frame& plain) {
+    Frame frame = plain;
+    ContactStrip left;
+    left.kind = BeamKind::Obstacle;
+    left.cause = BeamCause::Votes;
+    left.contact_m = left.near_m = left.far_m = 1.5;
+    ContactStrip right = left;
+    right.cause = BeamCause::Wall;
+    frame.step.new_contacts = true;
+    frame.step.contacts.gate = ContactGate::Open;
+    frame.step.contacts.first = -1;
+    frame.step.contacts.step = 0.2;
+    frame.step.contacts.strips = {left, right};
+    frame.contacts.take(frame.step);
+    return frame;
+}
+
+TEST_F(Panels, ContactsAreDrawnInTheFieldOnTheSideWhereTheyAre) {
+    const Frame frame = with_contacts(model.frame());
+    const cv::Mat panel = field_panel({frame, {}, std::nullopt, false}, size);
+    const FieldPlace place = field_place(frame.field, size);
+    const cv::Mat picture = panel(place.area);
+    const cv::Mat right_half = picture.colRange(picture.cols / 2 + 4, picture.cols);
+    const cv::Scalar wall = report::colour_of(BeamCause::Wall);
+    EXPECT_GT(pixels_of(right_half, wall), 20);
+    const cv::Mat hidden = field_panel({frame, {}, std::nullopt, false, false}, size);
+    const cv::Mat plain = field_panel({model.frame(), {}, std::nullopt, false, false}, size);
+    EXPECT_EQ(cv::norm(hidden, plain), 0.0) << "switched off";
+}
+
+TEST_F(Panels, ContactsAreDrawnInTheMapWhereTheyStand) {
+    const Frame frame = with_contacts(model.frame());
+    const cv::Mat panel = map_panel({frame, model.timeline()}, size);
+    const cv::Scalar wall = report::colour_of(BeamCause::Wall);
+    EXPECT_GT(pixels_of(around(panel, map_px({1.5, -0.15}, size, 8.0), 2), wall), 3) << "right: y < 0";
+    EXPECT_EQ(pixels_of(around(panel, map_px({1.5, 0.15}, size, 8.0), 2), wall), 0);
+    MapPanelContent without{frame, model.timeline()};
+    without.contacts = false;
+    EXPECT_EQ(pixels_of(map_panel(without, size), wall), 0);
 }
 
 TEST_F(Panels, TheChartLeadsFromAColumnToItsTimeAndBack) {

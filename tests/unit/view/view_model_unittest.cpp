@@ -55,10 +55,10 @@ TEST(ViewModel, TheTimelineIsThatOfEgomotionCsv) {
         std::string start = cli::time_text(row.timestamp_s) + ',' + to_string(row.status) + ',';
         if (row.status == FieldStatus::Ok) start += cli::fixed_text(row.omega_radps, 6);
         EXPECT_EQ(line.substr(0, start.size()), start);
-        const std::string end =
+        const std::string carried =
             ',' + std::to_string(row.obstacles) + ',' + cli::fixed_text(row.carried.since_s, 6) + ',' +
-            cli::fixed_text(row.carried.sigma_m, 4) + ',' + cli::fixed_text(row.carried.sigma_rad, 5);
-        EXPECT_EQ(line.substr(line.size() - std::min(line.size(), end.size())), end);
+            cli::fixed_text(row.carried.sigma_m, 4) + ',' + cli::fixed_text(row.carried.sigma_rad, 5) + ',';
+        EXPECT_NE(line.find(carried), std::string::npos) << line;
         if (row.status != FieldStatus::Waiting) {
             EXPECT_NE(line.find(',' + cli::fixed_text(row.v_mps, 6) + ','), std::string::npos) << line;
         }

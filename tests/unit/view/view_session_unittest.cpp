@@ -117,6 +117,23 @@ TEST_F(Session, TheWheelZoomsTheMapAlone) {
     EXPECT_FALSE(session.picture().empty());
 }
 
+TEST_F(Session, TheContactScanIsSwitchedOffAndOn) {
+    ViewSession session(model, command, out);
+    EXPECT_TRUE(session.look().contacts);
+    session.act(Action::Contacts);
+    EXPECT_FALSE(session.look().contacts);
+    EXPECT_TRUE(session.turn(0.0)) << "the picture changes";
+    session.act(Action::Contacts);
+    EXPECT_TRUE(session.look().contacts);
+}
+
+TEST_F(Session, TheStateTellsTheGateOfTheContactScan) {
+    ViewSession session(model, command, out);
+    session.turn(0.0);
+    const auto state = nlohmann::json::parse(out.str());
+    EXPECT_EQ(state["contacts"]["gate"], to_string(model.frame().contacts.scan().gate));
+}
+
 TEST_F(Session, SavesPicturesUnderNewNames) {
     ViewSession session(model, command, out);
     session.act(Action::SavePicture);

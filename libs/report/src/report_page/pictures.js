@@ -21,6 +21,7 @@ function addPictures() {
     viewers.push(describe);
     const figures = [...document.querySelectorAll('#strip figure')];
     const cells = [...document.querySelectorAll('[data-key^="label."] .number')].reverse();
+    const stripCells = document.querySelectorAll('[data-key^="strip."] .number');
     if (!figures.length) return;
     let shown = -1;
     viewers.push((t) => {
@@ -34,6 +35,7 @@ function addPictures() {
         byId('large').alt = image.alt;
         byId('strip').scrollLeft = figures[i].offsetLeft - (byId('strip').clientWidth - figures[i].offsetWidth) / 2;
         data.pictures[i].labels.forEach((count, k) => { cells[k].textContent = count; });
+        data.pictures[i].strips.forEach((count, k) => { stripCells[k].textContent = count; });
     });
     figures.forEach((figure, i) => figure.addEventListener('click', () => pin(pictureTimes[i])));
 }

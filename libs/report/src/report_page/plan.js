@@ -99,18 +99,30 @@ class Plan extends PlanCanvas {
         pen.fillText('end', u1 + (pen.textAlign === 'left' ? 10 : -10), Math.max(v1 - 9, at.top + 14));
     }
 
+    drawContacts(pen, at, contacts) {
+        for (const [x0, y0, x1, y1, causeColour] of contacts) {
+            for (const [style, width] of [['#111', 5], [causeColour, 3]]) {
+                pen.strokeStyle = style;
+                pen.lineWidth = width;
+                this.drawLine(pen, at, [x0, x1], [y0, y1]);
+            }
+        }
+    }
+
     drawMoment(pen, at, t) {
         const i = nearest(this.flow.t, t), u = at.u(this.flow.x[i]), v = at.v(this.flow.y[i]);
         if (this.map && data.pictures.length) {
+            const picture = data.pictures[nearestPicture(t)];
             pen.fillStyle = colour('orange');
             pen.strokeStyle = '#111';
             pen.lineWidth = 0.7;
-            for (const [x, y] of data.pictures[nearestPicture(t)].points) {
+            for (const [x, y] of picture.points) {
                 pen.beginPath();
                 pen.arc(at.u(x), at.v(y), 3, 0, 2 * Math.PI);
                 pen.fill();
                 pen.stroke();
             }
+            this.drawContacts(pen, at, picture.contacts);
         }
         pen.save();
         pen.translate(u, v);

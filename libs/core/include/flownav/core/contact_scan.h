@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "flownav/core/pose2.h"
@@ -14,6 +15,10 @@ enum class ContactGate {
     NoTravel,   ///< the travel is neither measured nor told by the wheels, or too short
     PoorFloor,  ///< too few pixels of the near floor move as a floor does: mirror, wrong camera pose
 };
+
+/// All gates, in the order of ContactGate.
+constexpr std::array<ContactGate, 4> all_contact_gates = {ContactGate::Open, ContactGate::Off,
+                                                          ContactGate::NoTravel, ContactGate::PoorFloor};
 
 /// Name of a gate, as written to files.
 const char* to_string(ContactGate gate);

@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "flownav/core/camera_model.h"
 
@@ -39,6 +40,15 @@ struct PlaneGeometry {
     /// Eq. (8) as 1/Z of the ground, in 1/m: 0 on the horizon and above.
     double ground_inverse_depth(const Eigen::Vector2d& at) const {
         return std::max(0.0, below_horizon(at)) * per_height;
+    }
+
+    /// Point of the normalised plane that shows the floor `forward_m` ahead of the camera and `right_m` to
+    /// its right; empty when that floor lies behind the camera.
+    std::optional<Eigen::Vector2d> floor_at(double forward_m, double right_m) const {
+        const double forward = forward_m * per_height;
+        const double depth = a * forward + b;
+        if (!(depth > 0.0)) return std::nullopt;
+        return Eigen::Vector2d(right_m * per_height, a - b * forward) / depth;
     }
 
     /// Flow times depth of a camera that moves by `travel` = (forward, leftward). For pure forward travel

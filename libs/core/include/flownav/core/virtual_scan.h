@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <vector>
 
 namespace flownav {
@@ -18,7 +19,12 @@ enum class BeamCause {
     Drop,    ///< the floor ends: what is seen there lies below it
 };
 
-/// Name of a cause, as written to files.
+/// All causes, in the order of BeamCause.
+constexpr std::array<BeamCause, 5> all_beam_causes = {BeamCause::None, BeamCause::Blocks, BeamCause::Votes,
+                                                      BeamCause::Wall, BeamCause::Drop};
+
+/// Name of a kind and of a cause, as written to files.
+const char* to_string(BeamKind kind);
 const char* to_string(BeamCause cause);
 
 struct Beam {

@@ -30,4 +30,16 @@ class ObstaclesCsv {
     io::OutputFile file_;
 };
 
+/// Writes contacts.csv, one row per strip of every scanned cycle, in the robot frame at the row's time.
+/// Cells of a contact are empty in a strip without obstacle. All functions throw OutputError.
+class ContactsCsv {
+  public:
+    explicit ContactsCsv(const std::filesystem::path& path);
+    void write(const pipeline::Step& step);
+    void close() { file_.close(); }
+
+  private:
+    io::OutputFile file_;
+};
+
 }  // namespace flownav::evaluation

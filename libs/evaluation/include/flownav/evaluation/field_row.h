@@ -4,12 +4,25 @@
 
 #include "flownav/core/field_status.h"
 #include "flownav/core/pose2.h"
+#include "flownav/core/strip_counts.h"
 #include "flownav/pipeline/step.h"
 
 namespace flownav::evaluation {
 
 /// Number of blocks with each label, in the order of BlockLabel.
 using LabelCounts = std::array<std::uint16_t, 8>;
+
+/// Summary of a contact scan.
+struct ContactRow {
+    bool is_new = false;  ///< a scan came with this field; else all other values are empty
+    ContactGate gate = ContactGate::Off;
+    StripCounts strips;
+    double fit_share = 0.0;
+    double vignetting = 0.0;
+
+    /// True when a new scan has strips.
+    bool is_scanned() const { return is_new && gate == ContactGate::Open; }
+};
 
 /// The values of a step that metrics and report need after the drive.
 struct FieldRow {
@@ -31,10 +44,13 @@ struct FieldRow {
     int obstacles = 0;
     bool end_of_cycle = false;
     LabelCounts labels{};
+    ContactRow contacts;
 };
 
 /// Counts the labels of all blocks of a step.
 LabelCounts label_counts_of(const pipeline::Step& step);
+
+ContactRow contact_row_of(const pipeline::Step& step);
 
 FieldRow row_of(const pipeline::Step& step);
 

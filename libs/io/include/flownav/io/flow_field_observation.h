@@ -25,8 +25,8 @@ class CObservationFlowField : public mrpt::obs::CObservation {
     void getDescriptionAsText(std::ostream& out) const override;
 
     /// Text export as numbers separated by blanks: the columns of the field, among them the numbers of blocks
-    /// and obstacle points, then the blocks and the points. Enums are written as numbers that the header
-    /// explains.
+    /// and obstacle points, then the blocks and the points, then the sources of the motion, the gate and fit
+    /// of a new contact scan, and its strips. Enums are written as numbers that the header explains.
     bool exportTxtSupported() const override { return true; }
     std::string exportTxtHeader() const override;
     std::string exportTxtDataRow() const override;

@@ -15,11 +15,11 @@
 namespace flownav::io {
 
 /// FLOW_SCAN: the virtual scan of a finished cycle, horizontal, about the robot's axis on the ground. Only
-/// beams that end at an obstacle are valid. A beam of confirmed floor is INVALID with the confirmed range in
-/// its range field; a beam without evidence is invalid with range 0. Maps must not take invalid beams for
-/// free space (insertionOptions.considerInvalidRangesAsFreeSpace = false): MRPT's default clears them up to
-/// half of the preceding valid range or of maxDistanceInsertion, independent of the beam's range and
-/// maxRange.
+/// beams that end at an obstacle are valid, whatever the obstacle was found by. A beam of confirmed floor is
+/// INVALID with the confirmed range in its range field; a beam without evidence is invalid with range 0. Maps
+/// must not take invalid beams for free space (insertionOptions.considerInvalidRangesAsFreeSpace = false):
+/// MRPT's default clears them up to half of the preceding valid range or of maxDistanceInsertion, independent
+/// of the beam's range and maxRange.
 mrpt::obs::CObservation2DRangeScan::Ptr scan_observation(const pipeline::Step& step, double range_max_m);
 
 /// FLOW_POINTS: the obstacle points of a finished cycle in the robot frame, in metres; an empty cloud when

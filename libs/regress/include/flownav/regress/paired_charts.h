@@ -7,8 +7,8 @@
 
 namespace flownav::regress {
 
-/// Charts of two egomotion.csv over the same times: turn rate, speed, obstacle points and counts, each with
-/// the series A, B and their difference.
+/// Charts of two egomotion.csv over the same times: turn rate, speed, obstacle points, counts and contacts,
+/// each with the series A, B and their difference.
 std::vector<report::ReportChart> paired_charts(const Columns& before, const Columns& after);
 
 }  // namespace flownav::regress

@@ -58,6 +58,7 @@ class Outputs {
     evaluation::TrajectoryFile trajectory_;
     evaluation::EgomotionCsv egomotion_;
     evaluation::ObstaclesCsv obstacles_;
+    evaluation::ContactsCsv contacts_;
     ResultRawlog rawlog_;
     mapping::GlobalMap map_;
     mapping::ObstacleSet set_;  ///< reused to avoid allocations

@@ -7,6 +7,7 @@
 #include "flownav/core/field.h"
 #include "flownav/io/video_output_file.h"
 #include "flownav/pipeline/step.h"
+#include "flownav/report/held_contacts.h"
 #include "flownav/report/map_window.h"
 
 namespace flownav::report {
@@ -38,6 +39,7 @@ class DriveVideo {
     io::VideoOutputFile file_;
     double map_size_m_;
     MapWindowScene scene_;
+    HeldContacts contacts_;
     double driven_m_ = 0.0;
     double start_s_ = 0.0;
     double last_s_ = 0.0;

@@ -18,6 +18,9 @@ struct FieldScale {
     }
 };
 
+/// The field's camera with the pitch that was learnt on the way.
+CameraModel camera_in_use(const Field& field, const pipeline::Step& step);
+
 /// How much taller than wide a pixel of the field must be drawn for shapes to look right, 0.5..2: about 2 for
 /// a field of half the lines.
 double pixel_aspect(const Field& field);

@@ -5,8 +5,11 @@
 #include <vector>
 
 #include "flownav/core/field.h"
+#include "flownav/core/strip_counts.h"
 #include "flownav/evaluation/field_row.h"
 #include "flownav/pipeline/step.h"
+#include "flownav/report/contact_segments.h"
+#include "flownav/report/held_contacts.h"
 
 namespace flownav::report {
 
@@ -21,6 +24,8 @@ class ThumbnailStrip {
         double timestamp_s = 0.0;
         evaluation::LabelCounts labels{};       ///< blocks that the picture shows, by label
         std::vector<Eigen::Vector2d> points_m;  ///< obstacle points, in the frame of the start
+        StripCounts strips;                     ///< of the contact scan that the picture shows
+        std::vector<ContactSegment> contacts;   ///< its contacts, in the frame of the start
         std::vector<std::uint8_t> jpeg;
     };
 
@@ -45,6 +50,7 @@ class ThumbnailStrip {
 
     bool in_background_ = false;
     std::future<Picture> pending_;  ///< the last one, while it is being drawn
+    HeldContacts contacts_;
     std::vector<Picture> pictures_;
     std::size_t bytes_ = 0;
     bool has_better_than_first_ = false;
