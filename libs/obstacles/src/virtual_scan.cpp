@@ -61,7 +61,10 @@ void fill_scan(VirtualScan& scan, const std::vector<ObstaclePoint>& points,
         const int i = beam_of(scan, bearing_of(p));
         if (i < 0) continue;
         Beam& beam = scan.beams[i];
-        if (beam.kind != BeamKind::Obstacle || p.norm() < beam.range_m) beam = {BeamKind::Obstacle, p.norm()};
+        const double range_m = p.norm();
+        if (beam.kind != BeamKind::Obstacle || range_m < beam.range_m)
+            beam = {BeamKind::Obstacle, range_m, BeamCause::Blocks, range_m - point.sigma_m,
+                    range_m + point.sigma_m};
     }
     std::sort(patches.begin(), patches.end(), [](const GroundPatch& p, const GroundPatch& q) {
         return p.near_m.squaredNorm() < q.near_m.squaredNorm();
@@ -69,6 +72,36 @@ void fill_scan(VirtualScan& scan, const std::vector<ObstaclePoint>& points,
     for (const GroundPatch& patch : patches) {
         const int i = beam_of(scan, bearing_of((patch.near_m + patch.far_m) / 2));
         if (i >= 0) extend_by_floor(scan.beams[i], patch.near_m.norm(), patch.far_m.norm());
+    }
+}
+
+void add_contacts(VirtualScan& scan, const ContactScan& contacts) {
+    if (contacts.gate != ContactGate::Open) return;
+    for (int i = 0; i < static_cast<int>(contacts.strips.size()); ++i) {
+        const ContactStrip& strip = contacts.strips[static_cast<std::size_t>(i)];
+        if (strip.kind == BeamKind::Unknown) continue;
+        const bool is_obstacle = strip.kind == BeamKind::Obstacle;
+        const double forward_m = is_obstacle ? strip.contact_m : strip.free_m;
+        const auto bearing_at = [&](double share) {
+            const double right = (contacts.first + i + share) * contacts.step;
+            return bearing_of(point_of(contacts, right, forward_m));
+        };
+        const double range_m = point_of(contacts, middle_tangent(contacts, i), forward_m).norm();
+        const double per_forward = range_m / forward_m;
+        const double left_rad = bearing_at(0.0);
+        const double right_rad = bearing_at(1.0);
+        for (int k = std::max(0, beam_of(scan, right_rad)); k < static_cast<int>(scan.beams.size()); ++k) {
+            const double bearing_rad = scan.first_bearing_rad + k * scan.step_rad;
+            if (bearing_rad + scan.step_rad / 2 <= right_rad) continue;
+            if (bearing_rad - scan.step_rad / 2 >= left_rad) break;
+            Beam& beam = scan.beams[static_cast<std::size_t>(k)];
+            if (!is_obstacle) {
+                extend_by_floor(beam, 0.0, range_m);
+            } else if (beam.kind != BeamKind::Obstacle || range_m < beam.range_m) {
+                beam = {BeamKind::Obstacle, range_m, strip.cause, per_forward * strip.near_m,
+                        per_forward * strip.far_m};
+            }
+        }
     }
 }
 

@@ -2,9 +2,11 @@
 
 #include "field_quality.h"
 #include "flownav/flow/matcher_registry.h"
+#include "flownav/obstacles/drops.h"
 #include "flownav/obstacles/virtual_scan.h"
 #include "measure_motion.h"
 #include "record.h"
+#include "short_blocks.h"
 #include "state.h"
 
 namespace flownav::pipeline {
@@ -96,6 +98,7 @@ void State::Impl::restart(bool new_camera, double since_field_s) {
     if (new_camera) new_layout();
     record_start(step_, has_reference_);
     if (has_reference_) bridge_gap(since_field_s);
+    obstacles::forget_images(contact_memory_);
     rates_ = {};
     begin_cycle();
 }
@@ -128,7 +131,8 @@ void State::Impl::compare(double since_last_s) {
     if (accepted.status == FieldStatus::Ok)
         others_.compare(reference_.field.timestamp_s, newest_.field.timestamp_s, measured_.estimate.motion);
     scan_contacts(accepted.motion);
-    reconstruct({step_.blocks, classes_, cycle_, reference_, newest_}, params_.obstacles, surroundings_);
+    reconstruct({step_.blocks, classes_, cycle_, reference_, newest_, contacts_}, params_.obstacles,
+                surroundings_);
     record_surroundings(step_, surroundings_);
     end_cycle(accepted.motion);
 }
@@ -140,8 +144,14 @@ void State::Impl::scan_contacts(const EgoMotion& motion) {
     const double way_error = motion.sigma_forward_m / std::max(std::abs(motion.forward_m), 1e-6);
     const obstacles::CycleEnd end{newest_.field.image, newest_.mapper, T_start_robot_,
                                   pitch_sum_rad_,      way_error,      motion.forward_measured};
-    if (obstacles::scan_cycle(contact_memory_, end, params_.obstacles.contacts, contacts_))
-        record_contacts(step_, contacts_);
+    const bool is_new = obstacles::scan_cycle(contact_memory_, end, params_.obstacles.contacts, contacts_);
+    if (is_new) {
+        T_start_scan_ = T_start_robot_;
+        find_short_blocks({step_.blocks, classes_, cycle_, reference_, newest_, contacts_}, short_blocks_);
+        obstacles::mark_drops(short_blocks_.floor_points_m, short_blocks_.sorted_m, contacts_);
+    }
+    contacts_.T_robot_scan = compose(inverse(T_start_robot_), T_start_scan_);
+    record_contacts(step_, contacts_, is_new);
 }
 
 /// Keeps the results of a field for the next one.

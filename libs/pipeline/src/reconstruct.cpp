@@ -96,7 +96,9 @@ void reconstruct(const EndedCycle& cycle, const obstacles::ObstacleParams& param
     add_dynamic_objects(cycle, params, out.obstacles);
     const CameraMount& mount = cycle.reference.field.camera.mount;
     obstacles::remove_occluded_floor(out.obstacles, {mount.forward_m, mount.left_m}, out.ground);
+    obstacles::remove_floor_behind_contacts(cycle.contacts, {mount.forward_m, mount.left_m}, out.ground);
     obstacles::fill_scan(out.scan, out.obstacles, out.ground);
+    obstacles::add_contacts(out.scan, cycle.contacts);
 }
 
 }  // namespace flownav::pipeline

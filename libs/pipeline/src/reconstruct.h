@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "block_classes.h"
+#include "flownav/core/contact_scan.h"
 #include "flownav/core/virtual_scan.h"
 #include "measure.h"
 
@@ -21,6 +22,7 @@ struct EndedCycle {
     const Cycle& images;
     const ReferenceImage& reference;
     const ReferenceImage& newest;
+    const ContactScan& contacts;  ///< the last scan, seen from the robot frame of `newest`
 };
 
 /// Fills `out`: 3D points, confirmed floor and the virtual scan. `out.scan` has the beams of scan_layout().

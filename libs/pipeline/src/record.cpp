@@ -103,9 +103,9 @@ void record_surroundings(Step& step, const Reconstruction& surroundings) {
     step.scan = surroundings.scan;
 }
 
-void record_contacts(Step& step, const ContactScan& contacts) {
+void record_contacts(Step& step, const ContactScan& contacts, bool is_new) {
     step.contacts = contacts;
-    step.new_contacts = true;
+    step.new_contacts = is_new;
 }
 
 void record_carried_motion(Step& step, const CarriedMotion& motion, const Pose2& T_start_robot) {

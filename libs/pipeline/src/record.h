@@ -46,9 +46,10 @@ void record_labels(Step& step, const BlockClasses& classes);
 /// Enters obstacles, floor and scan at the end of a cycle.
 void record_surroundings(Step& step, const Reconstruction& surroundings);
 
-/// Enters a motion that was carried over a field that cannot be compared.
-void record_contacts(Step& step, const ContactScan& contacts);
+/// Enters the last contact scan at the end of a cycle. `is_new`: it was made in this field.
+void record_contacts(Step& step, const ContactScan& contacts, bool is_new);
 
+/// Enters a motion that was carried over a field that cannot be compared.
 void record_carried_motion(Step& step, const CarriedMotion& motion, const Pose2& T_start_robot);
 
 /// Enters the pose after a gap.

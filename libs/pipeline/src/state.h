@@ -13,6 +13,7 @@
 #include "pitch_online.h"
 #include "pose_uncertainty.h"
 #include "reconstruct.h"
+#include "short_blocks.h"
 
 namespace flownav::pipeline {
 
@@ -74,9 +75,11 @@ class State::Impl {
     BlockClasses classes_;
     Reconstruction surroundings_;
     obstacles::ContactMemory contact_memory_;
-    ContactScan contacts_;
+    ContactScan contacts_;  ///< of the last scan
+    Pose2 T_start_scan_;
+    ShortBlocks short_blocks_;
     double pitch_sum_rad_ = 0.0;  ///< of all ended cycles
-    OtherSensors others_;  ///< wheels and gyro
+    OtherSensors others_;         ///< wheels and gyro
     CarriedError carried_error_;
     PoseUncertainty uncertainty_;
     MotionHistory history_;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <memory>
 
 #include "flownav/core/unicycle.h"
 #include "flownav/sim/random.h"
@@ -202,34 +200,15 @@ RecordedScene record(const SceneOptions& options, const sim::CameraSimParams& ca
     scene.options = options;
     const std::vector<Pose2> path = weave(options);  // straight without a turn rate
     scene.world = world_of(options, path);
-    const std::string cache = "/tmp/contact_cache/" + std::string(to_string(options.things)) + "_" + std::to_string(static_cast<int>(options.floor)) + "_" + std::to_string(options.seed) + "_" + std::to_string(static_cast<int>(options.seconds));
-    FILE* in = std::fopen(cache.c_str(), "rb");
-    FILE* outf = in ? nullptr : std::fopen((cache + ".part").c_str(), "wb");
-    std::unique_ptr<sim::CameraSimulator> simulator;
-    if (!in) simulator = std::make_unique<sim::CameraSimulator>(scene.world, camera);
+    sim::CameraSimulator simulator(scene.world, camera);
     const int images = static_cast<int>(options.seconds * camera.rate_hz);
     for (int i = 0; i < images; ++i) {
         const double time_s = i / camera.rate_hz;
         const auto moment = static_cast<std::size_t>(std::lround(time_s / step_s));
         if (moment >= path.size()) break;
         scene.poses.push_back(path[moment]);
-        if (in) {
-            auto px = std::make_shared<std::vector<std::uint8_t>>(640 * 480);
-            if (std::fread(px->data(), 1, px->size(), in) != px->size()) break;
-            Field f;
-            f.timestamp_s = sim::sim_start_s + time_s;
-            f.image = {px->data(), 640, 480, 640};
-            f.camera = camera.camera;
-            f.owner = px;
-            scene.fields.push_back(f);
-            continue;
-        }
-        scene.fields.push_back(simulator->take(i, path[moment], time_s));
-        const ImageView& im = scene.fields.back().image;
-        for (int v = 0; v < 480; ++v) std::fwrite(im.row(v), 1, 640, outf);
+        scene.fields.push_back(simulator.take(i, path[moment], time_s));
     }
-    if (in) std::fclose(in);
-    if (outf) { std::fclose(outf); std::rename((cache + ".part").c_str(), cache.c_str()); }
     return scene;
 }
 

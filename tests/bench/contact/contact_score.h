@@ -23,9 +23,8 @@ struct Score {
     int strips = 0;                   ///< within 40 degrees of the heading
     int decided = 0;                  ///< of these: decided up to 2 m
     std::vector<double> range_error;  ///< relative, of contacts at 1 to 3 m
-    double noise = 0.0;               ///< sums over the scans
-    double vignetting = 0.0;
-    double fit_share = 0.0;
+    double vignetting = 0.0;          ///< sum over the scans
+    double fit_share = 0.0;           ///< the same
 
     void add(const Score& other);
 };

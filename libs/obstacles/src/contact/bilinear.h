@@ -5,14 +5,11 @@ namespace flownav::obstacles {
 
 /// True when sample() may be called at (x, y).
 inline bool can_sample(const LevelImage& image, float x, float y) {
-    if (!(y >= 0.0F && x >= 0.0F)) return false;
-    const int v = static_cast<int>(y);
-    if (v >= image.height - 1) return false;
-    const LevelImage::Span upper = image.valid[static_cast<std::size_t>(v)];
-    return x >= static_cast<float>(upper.begin) && x < static_cast<float>(upper.end - 1);
+    return x >= 0.0F && y >= 0.0F && x < static_cast<float>(image.width - 1) &&
+           y < static_cast<float>(image.height - 1);
 }
 
-/// Grey level between four pixels.
+/// Grey level between four pixels; NaN where the camera did not look.
 inline float sample(const LevelImage& image, float x, float y) {
     const int u = static_cast<int>(x);
     const int v = static_cast<int>(y);

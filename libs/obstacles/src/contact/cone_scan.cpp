@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flownav/obstacles/strip_grid.h"
 #include "set_obstacle.h"
-#include "strip_grid.h"
 
 namespace flownav::obstacles {
 namespace {
 
 using Eigen::Vector2d;
 
+constexpr int cone_strips = 8;             // of the cone, and one more on either side
 constexpr double side_tangent_min = 0.15;  // of the strips at the sides
 constexpr double side_tangent_max = 0.6;
 constexpr double usual_percentile = 0.3;
@@ -168,6 +169,41 @@ void enter(const HeldThing& thing, const Pose2& T_start_robot, ContactScan& out)
     }
 }
 
+/// Best score of one strip in the range of the long pairs.
+float best_of_strip(const LevelImage& newer, const StripGrid& grid, const std::vector<float>& votes,
+                    int strip) {
+    float best = 0.0F;
+    for (int cell = grid.cells - 1; cell * cell_rows > grid.top_row; --cell) {
+        const double forward_m = cell_floor_m(newer.camera, cell);
+        if (forward_m > farthest_m) break;
+        if (forward_m >= nearest_m) best = std::max(best, contact_score(grid, votes, cell, strip));
+    }
+    return best;
+}
+
+/// Copies the scores of the cone and measures those of the strips at its sides.
+void take_part(const LevelImage& newer, const std::vector<float>& votes, std::vector<float>& sides,
+               const ConeVotes& cone, ConeVotes::Part& part) {
+    const StripGrid grid = strip_grid(newer);
+    part.score.clear();
+    for (int i = 0; i < static_cast<int>(cone.forward_m.size()); ++i) {
+        for (int s = 0; s < cone.strips; ++s)
+            part.score.push_back(contact_score(grid, votes, grid.cells - 1 - i, cone.first + s - grid.first));
+    }
+    sides.clear();
+    for (int s = 0; s < grid.strips; ++s) {
+        const double right = std::abs((grid.first + s + 0.5) * strip_tangent);
+        if (right >= side_tangent_min && right <= side_tangent_max)
+            sides.push_back(best_of_strip(newer, grid, votes, s));
+    }
+    part.usual = 0.0;
+    if (sides.empty()) return;
+    const auto at =
+        sides.begin() + static_cast<std::ptrdiff_t>(usual_percentile * static_cast<double>(sides.size() - 1));
+    std::nth_element(sides.begin(), at, sides.end());
+    part.usual = *at;
+}
+
 }  // namespace
 
 StripRange side_strips(int first, int strips) {
@@ -184,43 +220,39 @@ ConeVotes& push_cone_votes(ConeMemory& memory, const Pose2& T_start_robot) {
     return votes;
 }
 
-void take_votes(const LevelImage& newer, const ContactVotes& votes, Voters voters, ConeVotes& out) {
+void forget_pairs(ConeMemory& memory) {
+    memory.size = 0;
+    memory.candidate.reset();
+    memory.held.reset();
+}
+
+void reserve(ConeMemory& memory, std::size_t cells) {
+    const auto strips = static_cast<std::size_t>(cone_strips);
+    for (ConeVotes& pair : memory.votes) {
+        pair.forward_m.reserve(cells);
+        pair.steep.score.reserve(cells * strips);
+        pair.all.score.reserve(cells * strips);
+    }
+    memory.sums.reserve(cells);
+    memory.sides.reserve(64);
+}
+
+void take_votes(const LevelImage& newer, const ContactVotes& votes, std::vector<float>& sides,
+                ConeVotes& out) {
     const StripGrid grid = strip_grid(newer);
-    ConeVotes::Part& part = voters == Voters::SteepEdges ? out.steep : out.all;
-    // One strip more on either side: things are looked for beside the cone as well.
-    out.first = static_cast<int>(std::floor(-cone_tangent / strip_tangent)) - 1;
-    out.strips = 2 * -out.first;
+    out.first = -cone_strips / 2;
+    out.strips = cone_strips;
     out.forward_m.clear();
-    part.score.clear();
-    std::vector<float> sides;
     for (int cell = grid.cells - 1; cell * cell_rows > grid.top_row; --cell) {
         const double forward_m = cell_floor_m(newer.camera, cell);
         if (forward_m > farthest_m + 1.0) break;
         out.forward_m.push_back(forward_m);
-        for (int s = 0; s < out.strips; ++s)
-            part.score.push_back(contact_score(grid, votes, cell, out.first + s - grid.first));
     }
-    for (int s = 0; s < grid.strips; ++s) {
-        const double right = std::abs((grid.first + s + 0.5) * strip_tangent);
-        if (right < side_tangent_min || right > side_tangent_max) continue;
-        float best = 0.0F;
-        for (int cell = grid.cells - 1; cell * cell_rows > grid.top_row; --cell) {
-            const double forward_m = cell_floor_m(newer.camera, cell);
-            if (forward_m > farthest_m) break;
-            if (forward_m >= nearest_m) best = std::max(best, contact_score(grid, votes, cell, s));
-        }
-        sides.push_back(best);
-    }
-    part.usual = 0.0;
-    if (sides.empty()) return;
-    const auto at =
-        sides.begin() + static_cast<std::ptrdiff_t>(usual_percentile * static_cast<double>(sides.size() - 1));
-    std::nth_element(sides.begin(), at, sides.end());
-    part.usual = *at;
+    take_part(newer, votes.all, sides, out, out.all);
+    take_part(newer, votes.steep, sides, out, out.steep);
 }
 
-void decide_cone(ConeMemory& memory, const LevelImage& newer, const Pose2& T_start_robot, ContactScan& out) {
-    (void)newer;
+void decide_cone(ConeMemory& memory, const Pose2& T_start_robot, ContactScan& out) {
     const Accumulated sum = count_pairs(memory);
     std::optional<HeldThing> now;
     if (sum.pairs >= pairs_min) {

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "flownav/core/plane_geometry.h"
+#include "flownav/obstacles/strip_grid.h"
 #include "flownav/obstacles/strip_rules.h"
 #include "set_obstacle.h"
-#include "strip_grid.h"
 
 namespace flownav::obstacles {
 namespace {
@@ -16,6 +16,7 @@ using Eigen::Vector2d;
 
 constexpr double learning_min = 0.1;  // weight of one scan for what is learnt
 constexpr double vignetting_max = 0.6;
+constexpr double vignetting_step = 0.01;  // images are corrected anew when it has changed so much
 constexpr double noise_min = 0.4;
 constexpr double noise_max = 6.0;
 constexpr double turn_max_rad = 0.6;  // between the images of a scan
@@ -24,6 +25,8 @@ constexpr double own_share = 0.15;   // of the votes of three strips: those of t
 constexpr int confirming_scans = 2;  // so many scans back
 constexpr double same_place_m = 0.2;
 constexpr double same_place_share = 0.12;  // of the distance
+constexpr int informative_min = 200;       // pixels of the near floor that can tell whether it is one
+constexpr double flat_surface = 0.12;      // largest relative step of range between the ends of one surface
 constexpr int hole_strips = 2;             // most strips inside a surface without votes
 constexpr double one_surface = 0.3;        // largest relative step of range between strips of one surface
 
@@ -35,19 +38,21 @@ double way_m(const Pose2& a, const Pose2& b) {
 void learn(ContactMemory& memory) {
     const FloorComparison& c = memory.comparison;
     const double gain = std::max(learning_min, 1.0 / (1.0 + memory.scans));
-    memory.vignetting = std::clamp(memory.vignetting + gain * c.vignetting, 0.0, vignetting_max);
+    const double measured = memory.keys[0].image.vignetting + c.vignetting;
+    memory.vignetting =
+        std::clamp(memory.vignetting + gain * (measured - memory.vignetting), 0.0, vignetting_max);
     memory.noise = std::clamp(memory.noise + gain * (c.noise - memory.noise), noise_min, noise_max);
     for (int i = 0; i < memory.keys.size(); ++i) take_out_vignetting(memory.keys[i].image, memory.vignetting);
 }
 
-void gather_evidence(const KeyImage& newer, const StripGrid& grid, const ContactParams& params,
-                     ContactMemory& memory) {
+void gather_evidence(const KeyImage& newer, const ContactParams& params, ContactMemory& memory) {
+    const StripGrid grid = strip_grid(newer.image);
     memory.evidence.assign(static_cast<std::size_t>(grid.strips), StripEvidence{});
     for (int s = 0; s < grid.strips; ++s) {
         memory.evidence[static_cast<std::size_t>(s)].votes =
-            best_contact(newer.image, memory.votes, s, params.range_min_m, params.range_max_m);
+            best_contact(newer.image, memory.votes.all, s, params.range_min_m, params.range_max_m);
     }
-    find_floor_ends(newer.image, memory.comparison.cells, memory.evidence);
+    find_floor_ends(newer.image, memory.comparison.cells, memory.missing, memory.evidence);
     find_walls(newer.image, memory.comparison.cells, params.range_max_m, memory.evidence);
 }
 
@@ -117,7 +122,7 @@ void fill_holes(ContactScan& out) {
         for (int end = s + 2; end <= std::min(s + hole_strips + 1, strips - 1); ++end) {
             if (at(end).kind != BeamKind::Obstacle) continue;
             const double near_m = std::min(at(s).contact_m, at(end).contact_m);
-            if (std::abs(at(s).contact_m - at(end).contact_m) > one_surface * near_m) break;
+            if (std::abs(at(s).contact_m - at(end).contact_m) > flat_surface * near_m) break;
             for (int k = s + 1; k < end; ++k) {
                 const double share = static_cast<double>(k - s) / (end - s);
                 const double forward_m = at(s).contact_m + share * (at(end).contact_m - at(s).contact_m);
@@ -145,7 +150,9 @@ void decide_floor(const ContactMemory& memory, ContactScan& out) {
     }
 }
 
-void begin_scan(const StripGrid& grid, const CameraMount& mount, ContactScan& out) {
+void begin_scan(const LevelImage& image, const CameraMount& mount, ContactScan& out) {
+    const StripGrid grid = strip_grid(image);
+    out.view_near_m = image.camera.floor_m(grid.cells * cell_rows - 1);
     out.first = grid.first;
     out.step = strip_tangent;
     out.camera_m = {mount.forward_m, mount.left_m};
@@ -192,17 +199,18 @@ void scan_short_pair(ContactMemory& memory, const CycleEnd& cycle, const Contact
                      ContactScan& out) {
     const KeyImage& reference = memory.keys[1];
     const KeyImage& newer = memory.keys[0];
-    const StripGrid grid = strip_grid(newer.image);
+    const StripRange all{0, strip_grid(newer.image).strips};
+    choose_floor_pixels(newer.image, memory.noise, memory.registration);
     const FittedPair pair = fit_pair(reference, newer, cycle, memory);
-    compare_with_floor(reference.image, newer.image, pair.warp, memory.noise, memory.comparison);
+    compare_with_floor(reference.image, newer.image, pair.warp, memory.noise, all, memory.comparison);
     if (memory.scans == 0) {
         learn(memory);
-        compare_with_floor(reference.image, newer.image, pair.warp, memory.noise, memory.comparison);
+        compare_with_floor(reference.image, newer.image, pair.warp, memory.noise, all, memory.comparison);
     }
     out.floor = floor_fit(pair.measured, pair.fitted, memory);
-    vote_for_contacts(reference.image, newer.image, pair.warp, memory.comparison, memory.noise, Voters::All,
-                      {0, grid.strips}, memory.votes);
-    gather_evidence(newer, grid, params, memory);
+    vote_for_contacts(reference.image, newer.image, pair.warp, memory.comparison, memory.noise, all,
+                      memory.votes);
+    gather_evidence(newer, params, memory);
     learn(memory);
 }
 
@@ -221,25 +229,50 @@ void scan_long_pair(ContactMemory& memory, const CycleEnd& cycle) {
     const KeyImage& reference = memory.keys[back];
     const StripGrid grid = strip_grid(newer.image);
     const FittedPair pair = fit_pair(reference, newer, cycle, memory);
-    compare_with_floor(reference.image, newer.image, pair.warp, memory.noise, memory.comparison);
-    ConeVotes& votes = push_cone_votes(memory.cone, newer.T_start_robot);
-    for (const Voters voters : {Voters::SteepEdges, Voters::All}) {
-        vote_for_contacts(reference.image, newer.image, pair.warp, memory.comparison, memory.noise, voters,
-                          side_strips(grid.first, grid.strips), memory.votes);
-        take_votes(newer.image, memory.votes, voters, votes);
-    }
+    const StripRange strips = side_strips(grid.first, grid.strips);
+    compare_with_floor(reference.image, newer.image, pair.warp, memory.noise, strips, memory.comparison);
+    vote_for_contacts(reference.image, newer.image, pair.warp, memory.comparison, memory.noise, strips,
+                      memory.votes);
+    take_votes(newer.image, memory.votes, memory.cone.sides,
+               push_cone_votes(memory.cone, newer.T_start_robot));
+}
+
+/// Most of the near floor that could tell moves as a floor does. Too little that could tell is no objection.
+bool is_floor_believed(const FloorComparison& comparison, const ContactParams& params) {
+    return comparison.near_informative < informative_min || comparison.fit_share >= params.fit_share_min;
 }
 
 void scan_pair(ContactMemory& memory, const CycleEnd& cycle, const ContactParams& params, ContactScan& out) {
     scan_short_pair(memory, cycle, params, out);
     ++memory.scans;
     forget_old(memory);
+    if (!is_floor_believed(memory.comparison, params)) {
+        out.gate = ContactGate::PoorFloor;
+        forget_pairs(memory.cone);
+        return;
+    }
+    out.gate = ContactGate::Open;
     decide_obstacles(memory, memory.keys[0].T_start_robot, params, out);
     scan_long_pair(memory, cycle);
-    decide_cone(memory.cone, memory.keys[0].image, memory.keys[0].T_start_robot, out);
+    decide_cone(memory.cone, memory.keys[0].T_start_robot, out);
     fill_holes(out);
     decide_floor(memory, out);
-    out.gate = ContactGate::Open;
+}
+
+/// Room for the largest scan of a camera, so that no scan allocates.
+void reserve(ContactMemory& memory, const CameraModel& camera) {
+    const auto half = [](int px) { return static_cast<std::size_t>(px / 2); };
+    const std::size_t pixels = half(camera.width_px) * half(camera.height_px);
+    memory.keys.reserve(pixels);
+    memory.comparison.unsorted.reserve(pixels);
+    memory.comparison.misfits.reserve(pixels);
+    memory.comparison.ratios.reserve(pixels / 16 + half(camera.width_px));
+    memory.registration.pixels.reserve(pixels / 64 + 1);
+    memory.registration.residuals.reserve(pixels / 64 + 1);
+    memory.registration.sorted.reserve(pixels / 64 + 1);
+    memory.registration.jacobians.reserve(pixels / 64 + 1);
+    memory.earlier.reserve(1024);
+    reserve(memory.cone, half(camera.height_px) / cell_rows);
 }
 
 }  // namespace
@@ -259,10 +292,15 @@ PairMotion pair_motion(const KeyImage& reference, const KeyImage& newer, const C
 
 void restart(ContactMemory& memory, const RayMapper& mapper) {
     memory.mapping = LevelMapping(mapper);
-    memory.keys.keep(0);
     memory.scans = 0;
     memory.earlier.clear();
-    memory.cone = {};
+    forget_images(memory);
+    reserve(memory, mapper.camera());
+}
+
+void forget_images(ContactMemory& memory) {
+    memory.keys.keep(0);
+    forget_pairs(memory.cone);
 }
 
 bool scan_cycle(ContactMemory& memory, const CycleEnd& cycle, const ContactParams& params, ContactScan& out) {
@@ -275,10 +313,11 @@ bool scan_cycle(ContactMemory& memory, const CycleEnd& cycle, const ContactParam
     }
     KeyImage& newer = memory.keys.push();
     memory.mapping.apply(cycle.image, cycle.mapper, newer.image);
-    take_out_vignetting(newer.image, memory.vignetting);
+    take_out_vignetting(newer.image,
+                        memory.keys.size() > 1 ? memory.keys[1].image.vignetting : memory.vignetting);
     newer.T_start_robot = cycle.T_start_robot;
     newer.pitch_rad = cycle.pitch_rad;
-    begin_scan(strip_grid(newer.image), cycle.mapper.camera().mount, out);
+    begin_scan(newer.image, cycle.mapper.camera().mount, out);
     out.gate = ContactGate::NoTravel;
     if (memory.keys.size() > 1) scan_pair(memory, cycle, params, out);
     return true;

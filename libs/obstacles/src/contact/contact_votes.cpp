@@ -3,26 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bilinear.h"
-#include "strip_grid.h"
+#include "row_warp.h"
 
 namespace flownav::obstacles {
 namespace {
 
-constexpr float fit_cost = 1.0F;        // of an upright surface: a pixel with less votes for it
-constexpr float against = 2.5F;         // vote of a pixel with more: the votes of noise cancel
 constexpr float floor_against = 0.1F;   // vote of an informative pixel of floor
 constexpr float usual_misfits = 0.15F;  // share of a row above which its votes count less than half
-constexpr double contact_nearest_m = 0.5;
+constexpr double contact_nearest_m = 0.6;
 constexpr double contact_farthest_m = 5.0;
+constexpr double every_cell_m = 1.4;  // nearer: every second cell is a candidate
 constexpr double plateau_share = 0.85;
+constexpr int voters_max = 400;  // of one strip; of more, every second or third votes, with more weight
 
 /// Rows in which many strips do not fit weigh little: there the comparison itself is poor.
-void weigh_rows(const StripGrid& grid, const std::vector<FloorCell>& cells, ContactVotes& out) {
+void weigh_rows(const StripGrid& grid, const StripRange& strips, const std::vector<FloorCell>& cells,
+                ContactVotes& out) {
     out.row_weight.assign(static_cast<std::size_t>(grid.cells), 0.0F);
     for (int cell = 0; cell < grid.cells; ++cell) {
         out.shares.clear();
-        for (int s = 0; s < grid.strips; ++s) {
+        for (int s = strips.first; s < strips.last; ++s) {
             const FloorCell& c = cells[grid.index(cell, s)];
             if (c.compared > 0)
                 out.shares.push_back(static_cast<float>(c.misfits) / static_cast<float>(c.compared));
@@ -35,107 +35,138 @@ void weigh_rows(const StripGrid& grid, const std::vector<FloorCell>& cells, Cont
     }
 }
 
-/// Vote of one pixel for an upright surface of the inverse forward distance `inverse`, 1/m.
-class Voter {
-  public:
-    Voter(const Misfit& pixel, const LevelImage& reference, const PairWarp& warp, float noise)
-        : pixel_(pixel), reference_(reference), noise2_(noise * noise) {
-        const Eigen::Vector3d at(pixel.u, pixel.v, 1.0);
-        x_ = (warp.A * at).cast<float>();
-        b_ = (warp.B * warp.forward.dot(at)).cast<float>();
+/// Cells in which a contact may lie, from the farthest to the nearest.
+void choose_candidates(const LevelCamera& camera, const StripGrid& grid, ContactVotes& out) {
+    out.candidates.clear();
+    out.inverse.clear();
+    bool is_odd = false;
+    for (int cell = grid.top_row / cell_rows + 1; cell < grid.cells; ++cell) {
+        const double forward_m = cell_floor_m(camera, cell);
+        if (forward_m > contact_farthest_m) continue;
+        if (forward_m < contact_nearest_m) break;
+        is_odd = !is_odd;
+        if (forward_m < every_cell_m && is_odd) continue;
+        out.candidates.push_back(cell);
+        out.inverse.push_back(static_cast<float>(1.0 / forward_m));
     }
+}
 
-    float vote(float inverse) const {
-        const float scale = 1.0F / (x_[2] + b_[2] * inverse);
-        const float x = (x_[0] + b_[0] * inverse) * scale;
-        const float y = (x_[1] + b_[1] * inverse) * scale;
-        if (!can_sample(reference_, x, y)) return 0.0F;
-        const float e = pixel_.grey - sample(reference_, x, y);
-        const float du = x - pixel_.u;
-        const float dv = y - pixel_.v;
-        const float tolerance2 = position_error_px * position_error_px +
-                                 position_error_per_flow * position_error_per_flow * (du * du + dv * dv);
-        const float cost = e * e / (2.0F * (noise2_ + tolerance2 * pixel_.gradient2));
-        return cost < fit_cost ? pixel_.cost - cost : -against;
-    }
+rows::Vote vote_of(const Misfit& pixel, const PairWarp& warp, double noise, float weight) {
+    const Eigen::Vector3d at(pixel.u, pixel.v, 1.0);
+    const Eigen::Vector3f x = (warp.A * at).cast<float>();
+    const Eigen::Vector3f b = (warp.B * warp.forward.dot(at)).cast<float>();
+    const auto sigma = static_cast<float>(noise);
+    return {static_cast<float>(pixel.u),
+            static_cast<float>(pixel.v),
+            pixel.grey,
+            pixel.gradient2,
+            pixel.cost,
+            x[0],
+            x[1],
+            x[2],
+            b[0],
+            b[1],
+            b[2],
+            sigma * sigma,
+            weight};
+}
 
-  private:
-    const Misfit& pixel_;
-    const LevelImage& reference_;
-    float noise2_;
-    Eigen::Vector3f x_;
-    Eigen::Vector3f b_;
+/// Misfits begin to end - 1 of one strip.
+struct Voters {
+    std::size_t begin = 0;
+    std::size_t end = 0;
 };
 
-/// Cells in which a contact may lie.
-struct Candidates {
-    Candidates(const LevelCamera& camera, const StripGrid& grid) {
-        last = grid.cells - 1;
-        while (last > 0 && cell_floor_m(camera, last) < contact_nearest_m) --last;
-        first = grid.top_row / cell_rows + 1;
-        while (first < last && cell_floor_m(camera, first) > contact_farthest_m) ++first;
+/// Fills out.votes and out.steep_votes: a row for each cell of voters, a column for each candidate.
+void collect_votes(const LevelImage& reference, const PairWarp& warp, const FloorComparison& comparison,
+                   double noise, const Voters& voters, ContactVotes& out) {
+    const std::size_t columns = out.candidates.size();
+    std::fill(out.votes.begin(), out.votes.end(), 0.0F);
+    std::fill(out.steep_votes.begin(), out.steep_votes.end(), 0.0F);
+    const std::size_t stride = 1 + (voters.end - voters.begin) / voters_max;
+    std::size_t first = 0;  // candidate at or below the voter
+    for (std::size_t i = voters.begin; i < voters.end; i += stride) {
+        const Misfit& pixel = comparison.misfits[i];
+        const int own = pixel.v / cell_rows;
+        while (first < columns && out.candidates[first] < own) ++first;
+        if (first == columns) break;
+        const float weight = static_cast<float>(stride) * out.row_weight[static_cast<std::size_t>(own)];
+        std::vector<float>& to = pixel.steep ? out.steep_votes : out.votes;
+        rows::functions().vote(rows_reference(reference), vote_of(pixel, warp, noise, weight),
+                               out.inverse.data() + first, static_cast<int>(columns - first),
+                               to.data() + static_cast<std::size_t>(own) * columns + first);
     }
-    int first = 0;
-    int last = 0;
-};
+}
+
+/// Adds up the votes from each candidate upward, less those of the floor that is seen there; the score of the
+/// candidate is the largest sum.
+void add_up(const StripGrid& grid, const std::vector<FloorCell>& cells, int strip,
+            const std::vector<float>& votes, ContactVotes& out, std::vector<float>& score) {
+    const std::size_t columns = out.candidates.size();
+    out.sums.assign(2 * columns, 0.0F);
+    float* const sum = out.sums.data();
+    float* const best = sum + columns;
+    std::size_t first = columns;
+    for (int cell = grid.cells - 1; cell >= 0; --cell) {
+        while (first > 0 && out.candidates[first - 1] >= cell) --first;
+        const float floor = floor_against * cells[grid.index(cell, strip)].floor;
+        const float* const row = votes.data() + static_cast<std::size_t>(cell) * columns;
+        for (std::size_t c = first; c < columns; ++c) {
+            sum[c] += row[c] - floor;
+            best[c] = std::max(best[c], sum[c]);
+        }
+    }
+    for (std::size_t c = 0; c < columns; ++c) score[grid.index(out.candidates[c], strip)] = best[c];
+}
 
 }  // namespace
 
 void vote_for_contacts(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
-                       const FloorComparison& comparison, double noise, Voters voters,
-                       const StripRange& strips, ContactVotes& out) {
+                       const FloorComparison& comparison, double noise, const StripRange& strips,
+                       ContactVotes& out) {
     const StripGrid grid = strip_grid(newer);
-    const Candidates candidates(newer.camera, grid);
-    const auto cells = static_cast<std::size_t>(grid.cells);
-    weigh_rows(grid, comparison.cells, out);
-    out.score.assign(grid.size(), 0.0F);
-    std::size_t next = 0;
+    weigh_rows(grid, strips, comparison.cells, out);
+    choose_candidates(newer.camera, grid, out);
+    out.all.assign(grid.size(), 0.0F);
+    out.steep.assign(grid.size(), 0.0F);
+    const std::size_t size = static_cast<std::size_t>(grid.cells) * out.candidates.size();
+    out.votes.resize(size);
+    out.steep_votes.resize(size);
+    Voters voters;
     for (int strip = strips.first; strip < strips.last; ++strip) {
-        out.votes.assign(cells * cells, 0.0F);
-        while (next < comparison.misfits.size() && comparison.misfits[next].strip < strip) ++next;
-        for (; next < comparison.misfits.size() && comparison.misfits[next].strip == strip; ++next) {
-            const Misfit& pixel = comparison.misfits[next];
-            if (voters == Voters::SteepEdges && !pixel.steep) continue;
-            const Voter voter(pixel, reference, warp, static_cast<float>(noise));
-            const auto own = static_cast<std::size_t>(pixel.v / cell_rows);
-            const float weight = out.row_weight[own];
-            for (int c = std::max(candidates.first, static_cast<int>(own)); c <= candidates.last; ++c) {
-                const auto inverse = static_cast<float>(1.0 / cell_floor_m(newer.camera, c));
-                out.votes[static_cast<std::size_t>(c) * cells + own] += weight * voter.vote(inverse);
-            }
-        }
-        for (int c = candidates.first; c <= candidates.last; ++c) {
-            float sum = 0.0F;
-            float best = 0.0F;
-            for (int from = c; from >= 0; --from) {
-                sum += out.votes[static_cast<std::size_t>(c) * cells + static_cast<std::size_t>(from)] -
-                       floor_against * comparison.cells[grid.index(from, strip)].floor;
-                best = std::max(best, sum);
-            }
-            out.score[grid.index(c, strip)] = best;
-        }
+        voters.begin = voters.end;
+        while (voters.begin < comparison.misfits.size() && comparison.misfits[voters.begin].strip < strip)
+            ++voters.begin;
+        voters.end = voters.begin;
+        while (voters.end < comparison.misfits.size() && comparison.misfits[voters.end].strip == strip)
+            ++voters.end;
+        if (voters.begin == voters.end) continue;
+        collect_votes(reference, warp, comparison, noise, voters, out);
+        add_up(grid, comparison.cells, strip, out.steep_votes, out, out.steep);
+        for (std::size_t i = 0; i < size; ++i) out.votes[i] += out.steep_votes[i];
+        add_up(grid, comparison.cells, strip, out.votes, out, out.all);
     }
 }
 
-float contact_score(const StripGrid& grid, const ContactVotes& votes, int cell, int strip) {
+float contact_score(const StripGrid& grid, const std::vector<float>& votes, int cell, int strip) {
     float sum = 0.0F;
     for (int s = std::max(0, strip - 1); s <= std::min(grid.strips - 1, strip + 1); ++s) {
         float best = 0.0F;
         for (int c = std::max(0, cell - 1); c <= std::min(grid.cells - 1, cell + 1); ++c)
-            best = std::max(best, votes.score[grid.index(c, s)]);
+            best = std::max(best, votes[grid.index(c, s)]);
         sum += best;
     }
     return sum;
 }
 
-Contact best_contact(const LevelImage& newer, const ContactVotes& votes, int strip, double range_min_m,
+Contact best_contact(const LevelImage& newer, const std::vector<float>& votes, int strip, double range_min_m,
                      double range_max_m) {
     const StripGrid grid = strip_grid(newer);
     const auto score = [&](int cell) { return contact_score(grid, votes, cell, strip); };
-    const Candidates candidates(newer.camera, grid);
+    const int top = grid.top_row / cell_rows + 1;
     Contact contact;
     int best = -1;
-    for (int c = candidates.first; c <= candidates.last; ++c) {
+    for (int c = top; c < grid.cells; ++c) {
         const double forward_m = cell_floor_m(newer.camera, c);
         if (forward_m < range_min_m || forward_m > range_max_m || score(c) <= contact.score) continue;
         contact.score = score(c);
@@ -147,14 +178,14 @@ Contact best_contact(const LevelImage& newer, const ContactVotes& votes, int str
     const auto in_plateau = [&](int c) {
         return cell_floor_m(newer.camera, c) >= range_min_m && score(c) > plateau_share * contact.score;
     };
-    while (near < candidates.last && in_plateau(near + 1)) ++near;
-    while (far > candidates.first && in_plateau(far - 1)) --far;
+    while (near + 1 < grid.cells && in_plateau(near + 1)) ++near;
+    while (far - 1 >= top && in_plateau(far - 1)) --far;
     contact.near_m = newer.camera.floor_m(near * cell_rows + cell_rows - 1);
     contact.far_m = newer.camera.floor_m(far * cell_rows);
     const double middle_row = 0.5 * (near + far) * cell_rows + 0.5 * (cell_rows - 1);
     contact.forward_m = newer.camera.floor_m(middle_row);
     for (int c = std::max(0, best - 1); c <= std::min(grid.cells - 1, best + 1); ++c)
-        contact.own = std::max<double>(contact.own, votes.score[grid.index(c, strip)]);
+        contact.own = std::max<double>(contact.own, votes[grid.index(c, strip)]);
     return contact;
 }
 

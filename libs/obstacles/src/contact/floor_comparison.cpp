@@ -6,83 +6,87 @@
 #include <cmath>
 #include <limits>
 
-#include "bilinear.h"
 #include "flownav/math/order_statistic.h"
-#include "strip_grid.h"
+#include "row_warp.h"
 
 namespace flownav::obstacles {
 namespace {
 
-constexpr int tile_px = 16;             // of the local difference of brightness
-constexpr float misfit_cost = 2.0F;     // more: does not move as the floor
-constexpr float fit_cost = 1.0F;        // less: does
-constexpr float edge_per_noise = 2.9F;  // gradient of an edge
+constexpr int tile_px = 16;  // of the local difference of brightness
 constexpr float offset_clip_per_noise = 2.5F;
 constexpr float offset_prior_px = 6.0F;  // pixels without a difference, added to each tile
 constexpr double near_floor_m = 1.75;
 constexpr int samples_min = 500;      // costs that tell the noise
 constexpr double usual_cost = 0.227;  // median of the costs when the noise is right: that of chi^2 / 2
-constexpr int sparse_px = 4;          // spacing of the pixels that measure gain and vignetting
+constexpr int sparse_px = 4;          // spacing of the pixels that measure gain, fall-off and noise
+constexpr float dark_grey = 20.0F;    // darker pixels do not tell gain and fall-off
+constexpr double ratio_limit = 0.1;   // of brightness, from its median
 
-/// A row of the homogeneous warp: X(u) = x0 + x1 u and so on, w(u) = w0 + w1 u.
-struct RowWarp {
-    RowWarp(const PairWarp& warp, int v) {
-        const Eigen::Matrix3d H = floor_homography(warp);
-        const auto at = [&](int i) { return static_cast<float>(H(i, 1) * v + H(i, 2)); };
-        x0 = at(0);
-        y0 = at(1);
-        z0 = at(2);
-        x1 = static_cast<float>(H(0, 0));
-        y1 = static_cast<float>(H(1, 0));
-        z1 = static_cast<float>(H(2, 0));
-        w0 = static_cast<float>(warp.floor[1] * v + warp.floor[2]);
-        w1 = static_cast<float>(warp.floor[0]);
-        bx = static_cast<float>(warp.B[0]);
-        by = static_cast<float>(warp.B[1]);
-        bz = static_cast<float>(warp.B[2]);
-    }
-    float x0, x1, y0, y1, z0, z1, w0, w1, bx, by, bz;
+/// Columns begin to end - 1.
+struct Columns {
+    int begin = 0;
+    int end = 0;
+};
+
+/// The columns of the strips in row `v`, without those at the border of the image.
+Columns columns_of(const StripGrid& grid, const LevelImage& image, const StripRange& strips, int v) {
+    return {std::max(1, strip_column(grid, image, strips.first, v)),
+            std::min(image.width - 1, strip_column(grid, image, strips.last, v))};
+}
+
+float* row_of(std::vector<float>& plane, const LevelImage& image, int v) {
+    return plane.data() + static_cast<std::ptrdiff_t>(v) * image.width;
+}
+
+/// The loops over the pixels of one pair share these.
+struct Pair {
+    const LevelImage& reference;
+    const LevelImage& newer;
+    const PairWarp& warp;
+    const StripGrid grid;
+    const StripRange strips;
+    const float noise;
+
+    int first_row() const { return grid.top_row; }
+    int last_row() const { return std::min(newer.height - 1, grid.cells * cell_rows); }
 };
 
 /// Grey levels of the reference at the places from which the floor came; NaN outside.
-void warp_floor(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp, int top_row,
-                std::vector<float>& out) {
-    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-    out.resize(newer.grey.size());
-    for (int v = top_row; v < newer.height - 1; ++v) {
-        const RowWarp row(warp, v);
-        float* const to = out.data() + static_cast<std::ptrdiff_t>(v) * newer.width;
-        for (int u = 0; u < newer.width; ++u) {
-            const auto at = static_cast<float>(u);
-            const float inverse = 1.0F / (row.z0 + row.z1 * at);
-            const float x = (row.x0 + row.x1 * at) * inverse;
-            const float y = (row.y0 + row.y1 * at) * inverse;
-            to[u] = can_sample(reference, x, y) ? sample(reference, x, y) : nan;
-        }
+void warp_floor(const Pair& pair, std::vector<float>& out) {
+    out.resize(pair.newer.grey.size());
+    for (int v = pair.first_row(); v < pair.last_row(); ++v) {
+        const Columns columns = columns_of(pair.grid, pair.newer, pair.strips, v);
+        rows::functions().warp(rows_reference(pair.reference), floor_places(pair.warp, v), columns.begin,
+                               columns.end, row_of(out, pair.newer, v));
+    }
+}
+
+/// Calls f(u, v, ratio of brightness) for a sparse set of bright pixels.
+template <typename F>
+void for_each_ratio(const Pair& pair, std::vector<float>& warped, F f) {
+    for (int v = pair.first_row(); v < pair.last_row(); v += sparse_px) {
+        const float* const before = row_of(warped, pair.newer, v);
+        const float* const now = pair.newer.row(v);
+        const Columns columns = columns_of(pair.grid, pair.newer, pair.strips, v);
+        for (int u = columns.begin; u < columns.end; u += sparse_px)
+            if (before[u] > dark_grey && now[u] > dark_grey) f(u, v, now[u] / before[u]);
     }
 }
 
 /// Median of the ratio of brightness, and what is left of the fall-off toward the corners: the ratio changes
 /// with the difference of the squared radii.
-void measure_brightness(const LevelImage& newer, const PairWarp& warp, int top_row, FloorComparison& out) {
+void measure_brightness(const Pair& pair, FloorComparison& out) {
     out.ratios.clear();
-    const auto for_each_pixel = [&](auto f) {
-        for (int v = top_row; v < newer.height - 1; v += sparse_px) {
-            const float* const before = out.warped.data() + static_cast<std::ptrdiff_t>(v) * newer.width;
-            for (int u = 1; u < newer.width - 1; u += sparse_px)
-                if (before[u] > 20.0F) f(u, v, newer.row(v)[u] / before[u]);
-        }
-    };
-    for_each_pixel([&](int, int, float ratio) { out.ratios.push_back(ratio); });
+    for_each_ratio(pair, out.warped, [&](int, int, float ratio) { out.ratios.push_back(ratio); });
     out.gain = out.ratios.empty() ? 1.0 : nth_smallest(out.ratios, out.ratios.size() / 2);
-    const double radius2 = corner_radius_px(newer) * corner_radius_px(newer);
-    const Eigen::Vector2d middle(0.5 * (newer.width - 1), 0.5 * (newer.height - 1));
-    const Eigen::Matrix3d H = floor_homography(warp);
+    const double radius2 = corner_radius_px(pair.newer) * corner_radius_px(pair.newer);
+    const Eigen::Vector2d middle(0.5 * (pair.newer.width - 1), 0.5 * (pair.newer.height - 1));
+    const Eigen::Matrix3d H = floor_homography(pair.warp);
     double xx = 1e-3;
     double xy = 0.0;
-    for_each_pixel([&](int u, int v, float ratio) {
+    for_each_ratio(pair, out.warped, [&](int u, int v, float ratio) {
         const double y = ratio / out.gain - 1.0;
-        if (std::abs(y) > 0.1) return;
+        if (std::abs(y) > ratio_limit) return;
         const Eigen::Vector2d from = (H * Eigen::Vector3d(u, v, 1.0)).hnormalized();
         const double x =
             ((from - middle).squaredNorm() - (Eigen::Vector2d(u, v) - middle).squaredNorm()) / radius2;
@@ -92,136 +96,129 @@ void measure_brightness(const LevelImage& newer, const PairWarp& warp, int top_r
     out.vignetting = xy / xx;
 }
 
-/// Mean difference of brightness a tile; large differences count as much as small ones.
-void measure_offsets(const LevelImage& newer, int top_row, double noise, FloorComparison& out) {
-    const int columns = (newer.width + tile_px - 1) / tile_px;
-    const int rows = (newer.height + tile_px - 1) / tile_px;
-    const auto limit = static_cast<float>(offset_clip_per_noise * noise);
+int tiles_of(int pixels) {
+    return (pixels + tile_px - 1) / tile_px;
+}
+
+/// Mean difference of brightness a tile, from every second pixel of every second row; large differences count
+/// as much as small ones.
+void measure_offsets(const Pair& pair, FloorComparison& out) {
+    const int columns = tiles_of(pair.newer.width);
+    const float limit = offset_clip_per_noise * pair.noise;
     const auto gain = static_cast<float>(out.gain);
-    out.offset.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0.0F);
-    for (int row = top_row / tile_px; row < rows; ++row) {
-        for (int column = 0; column < columns; ++column) {
-            float sum = 0.0F;
-            float count = offset_prior_px;
-            for (int v = std::max(top_row, row * tile_px);
-                 v < std::min(newer.height - 1, (row + 1) * tile_px); ++v) {
-                const float* const before = out.warped.data() + static_cast<std::ptrdiff_t>(v) * newer.width;
-                const float* const now = newer.row(v);
-                const int end = std::min(newer.width, (column + 1) * tile_px);
-                for (int u = column * tile_px; u < end; ++u) {
-                    const float e = now[u] - gain * before[u];
-                    if (e != e) continue;
-                    sum += std::min(std::max(e, -limit), limit);
-                    count += 1.0F;
-                }
-            }
-            out.offset[static_cast<std::size_t>(row * columns + column)] = sum / count;
+    const auto tiles =
+        static_cast<std::size_t>(columns) * static_cast<std::size_t>(tiles_of(pair.newer.height));
+    out.offset.assign(tiles, 0.0F);
+    out.offset_pixels.assign(tiles, offset_prior_px / 4.0F);
+    for (int v = pair.first_row(); v < pair.last_row(); v += 2) {
+        const float* const before = row_of(out.warped, pair.newer, v);
+        const float* const now = pair.newer.row(v);
+        const Columns inside = columns_of(pair.grid, pair.newer, pair.strips, v);
+        const std::size_t row = static_cast<std::size_t>(v / tile_px) * static_cast<std::size_t>(columns);
+        for (int u = inside.begin; u < inside.end; u += 2) {
+            const float e = now[u] - gain * before[u];
+            if (e != e) continue;
+            const std::size_t tile = row + static_cast<std::size_t>(u / tile_px);
+            out.offset[tile] += std::min(std::max(e, -limit), limit);
+            out.offset_pixels[tile] += 1.0F;
+        }
+    }
+    for (std::size_t i = 0; i < tiles; ++i) out.offset[i] /= out.offset_pixels[i];
+}
+
+void fill_row(const Pair& pair, int v, const Columns& columns, FloorComparison& out) {
+    const LevelImage& image = pair.newer;
+    const float* const tiles =
+        out.offset.data() + static_cast<std::ptrdiff_t>(v / tile_px) * tiles_of(image.width);
+    for (int u = 0; u < image.width; ++u) out.row_offset[static_cast<std::size_t>(u)] = tiles[u / tile_px];
+    rows::CostRow row;
+    row.above = image.row(v - 1);
+    row.now = image.row(v);
+    row.below = image.row(v + 1);
+    row.before = row_of(out.warped, image, v);
+    row.offset = out.row_offset.data();
+    row.places = floor_places(pair.warp, v);
+    row.v = static_cast<float>(v);
+    row.w0 = static_cast<float>(pair.warp.floor[1] * v + pair.warp.floor[2]);
+    row.w1 = static_cast<float>(pair.warp.floor[0]);
+    row.bx = static_cast<float>(pair.warp.B[0]);
+    row.by = static_cast<float>(pair.warp.B[1]);
+    row.bz = static_cast<float>(pair.warp.B[2]);
+    row.gain = static_cast<float>(out.gain);
+    row.noise = pair.noise;
+    row.cost = out.row_cost.data();
+    row.steepness2 = out.row_steepness2.data();
+    row.properties = out.row_properties.data();
+    rows::functions().costs(row, columns.begin, columns.end);
+}
+
+/// Moves the counts of the pixels of one group of rows into its cells.
+void flush_counts(const Pair& pair, int cell, FloorComparison& out) {
+    for (int s = pair.strips.first; s < pair.strips.last; ++s) {
+        std::uint16_t* const counts =
+            out.property_counts.data() + static_cast<std::ptrdiff_t>(s) * rows::combinations;
+        FloorCell& c = out.cells[pair.grid.index(cell, s)];
+        for (int bits = 0; bits < rows::combinations; ++bits) {
+            const int n = counts[bits];
+            if (n == 0) continue;
+            const auto add = [n](std::uint16_t& sum, bool counted) {
+                if (counted) sum = static_cast<std::uint16_t>(sum + n);
+            };
+            const bool informative = (bits & rows::informative_bit) != 0;
+            add(c.pixels, (bits & rows::seen_bit) != 0);
+            add(c.edges, (bits & rows::edge_bit) != 0);
+            add(c.compared, (bits & rows::compared_bit) != 0);
+            add(c.misfits, (bits & rows::misfit_bit) != 0);
+            add(c.floor, informative && (bits & rows::floor_bit) != 0);
+            add(c.not_floor, informative && (bits & rows::misfit_bit) != 0);
+            counts[bits] = 0;
         }
     }
 }
 
-/// Gradient of brightness, grey levels a pixel, by Sobel's operator.
-struct Gradient {
-    Gradient(const float* at, int width) {
-        const float* const up = at - width;
-        const float* const down = at + width;
-        x = 0.125F * (up[1] - up[-1] + down[1] - down[-1]) + 0.25F * (at[1] - at[-1]);
-        y = 0.125F * (down[-1] - up[-1] + down[1] - up[1]) + 0.25F * (down[0] - up[0]);
-    }
-    float squared() const { return x * x + y * y; }
-    float x, y;
-};
-
-/// Values of one row of pixels.
-struct RowBuffers {
-    float* error;      ///< of brightness, against the floor; NaN: not compared
-    float* gradient2;  ///< squared
-    float* cost;
-    float* parallax;    ///< |gradient . d|, d: displacement that a quarter more inverse depth causes
-    float* tolerance2;  ///< squared tolerance of position
-    float* steepness2;  ///< squared gradient of the finest detail
-};
-
-void fill_row(const LevelImage& newer, const PairWarp& warp, int v, float noise, const FloorComparison& data,
-              const RowBuffers& out) {
-    const RowWarp row(warp, v);
-    const float* const now = newer.row(v);
-    const float* const before = data.warped.data() + static_cast<std::ptrdiff_t>(v) * newer.width;
-    const int columns = (newer.width + tile_px - 1) / tile_px;
-    const float* const offset = data.offset.data() + static_cast<std::ptrdiff_t>(v / tile_px) * columns;
+Misfit misfit_at(const Pair& pair, const FloorComparison& data, int u, int v, int strip) {
+    const float* const now = pair.newer.row(v) + u;
+    const float dx = now[1] - now[-1];
+    const float dy = now[pair.newer.width] - now[-pair.newer.width];
     const auto gain = static_cast<float>(data.gain);
-    for (int u = 0; u < newer.width; ++u) out.error[u] = now[u] - gain * before[u] - offset[u / tile_px];
-    const auto height = static_cast<float>(v);
-    for (int u = 1; u < newer.width - 1; ++u) {
-        const auto at = static_cast<float>(u);
-        const float inverse = 1.0F / (row.z0 + row.z1 * at);
-        const float x = (row.x0 + row.x1 * at) * inverse;
-        const float y = (row.y0 + row.y1 * at) * inverse;
-        const float w = 0.25F * (row.w0 + row.w1 * at) * inverse;
-        const Gradient g(now + u, newer.width);
-        const float g2 = g.squared();
-        const float flow2 = (x - at) * (x - at) + (y - height) * (y - height);
-        const float tolerance2 =
-            position_error_px * position_error_px + position_error_per_flow * position_error_per_flow * flow2;
-        const float dx = now[u + 1] - now[u - 1];
-        const float dy = now[u + newer.width] - now[u - newer.width];
-        const float steep2 = 0.25F * (dx * dx + dy * dy);
-        const float along = g.x * (row.bx - x * row.bz) + g.y * (row.by - y * row.bz);
-        const float e = out.error[u];
-        out.gradient2[u] = g2;
-        out.tolerance2[u] = tolerance2;
-        out.steepness2[u] = steep2;
-        out.parallax[u] = std::abs(along * w);
-        out.cost[u] = std::min(e * e / (2.0F * (noise * noise + tolerance2 * steep2)), cost_max);
-    }
-    for (const int u : {0, newer.width - 1}) out.error[u] = std::numeric_limits<float>::quiet_NaN();
+    const auto i = static_cast<std::size_t>(u);
+    return {static_cast<std::int16_t>(u),
+            static_cast<std::int16_t>(v),
+            static_cast<std::int16_t>(strip),
+            std::abs(dx) >= std::abs(dy),
+            (now[0] - data.row_offset[i]) / gain,
+            data.row_steepness2[i],
+            data.row_cost[i]};
 }
 
-/// True when a quarter more inverse depth would show in the pixel's brightness.
-bool is_informative(float parallax, float gradient2, float tolerance2, float noise) {
-    return parallax > 2.4F * noise && gradient2 > 1.44F * noise * noise &&
-           parallax * parallax > std::max(0.25F, 4.0F * tolerance2) * gradient2;
-}
-
-/// Counts the pixels of a row into the cells and collects those that do not fit.
-void count_row(const LevelImage& newer, const StripGrid& grid, int v, float noise, const RowBuffers& row,
-               FloorComparison& out) {
-    const float edge2 = edge_per_noise * noise * edge_per_noise * noise;
-    const float* const now = newer.row(v);
-    const auto gain = static_cast<float>(out.gain);
-    const float* const before = out.warped.data() + static_cast<std::ptrdiff_t>(v) * newer.width;
-    for_each_strip(grid, newer, v, [&](int strip, int begin, int end) {
-        FloorCell& cell = out.cells[grid.index(v / cell_rows, strip)];
-        for (int u = std::max(begin, 1); u < std::min(end, newer.width - 1); ++u) {
-            ++cell.pixels;
-            if (row.gradient2[u] > edge2) ++cell.edges;
-            if (row.error[u] != row.error[u]) continue;
-            ++cell.compared;
-            const bool misfit = row.cost[u] > misfit_cost;
-            if (misfit) ++cell.misfits;
-            if (is_informative(row.parallax[u], row.gradient2[u], row.tolerance2[u], noise)) {
-                if (row.cost[u] < fit_cost) ++cell.floor;
-                if (misfit) ++cell.not_floor;
-            }
-            if (!misfit) continue;
-            const Gradient g(now + u, newer.width);
-            out.unsorted.push_back({static_cast<std::int16_t>(u), static_cast<std::int16_t>(v),
-                                    static_cast<std::int16_t>(strip), std::abs(g.x) >= std::abs(g.y),
-                                    (row.error[u] + gain * before[u]) / gain, row.steepness2[u],
-                                    row.cost[u]});
+/// Counts the properties of the pixels of a row and collects the pixels that do not fit.
+void count_row(const Pair& pair, int v, const Columns& columns, FloorComparison& out) {
+    const int* const properties = out.row_properties.data();
+    for_each_strip(pair.grid, pair.newer, pair.strips, v, [&](int strip, int begin, int end) {
+        std::uint16_t* const counts =
+            out.property_counts.data() + static_cast<std::ptrdiff_t>(strip) * rows::combinations;
+        for (int u = std::max(begin, columns.begin); u < std::min(end, columns.end); ++u) {
+            ++counts[properties[u]];
+            if ((properties[u] & rows::misfit_bit) != 0)
+                out.unsorted.push_back(misfit_at(pair, out, u, v, strip));
         }
     });
 }
 
 /// Rows without floor: edges only.
-void count_edges(const LevelImage& newer, const StripGrid& grid, int v, float noise, FloorComparison& out) {
-    const float edge2 = edge_per_noise * noise * edge_per_noise * noise;
-    const float* const now = newer.row(v);
-    for_each_strip(grid, newer, v, [&](int strip, int begin, int end) {
-        FloorCell& cell = out.cells[grid.index(v / cell_rows, strip)];
-        for (int u = std::max(begin, 1); u < std::min(end, newer.width - 1); ++u) {
-            ++cell.pixels;
-            if (Gradient(now + u, newer.width).squared() > edge2) ++cell.edges;
+void count_edges(const Pair& pair, int v, FloorComparison& out) {
+    const float edge = rows::edge_per_noise * pair.noise;
+    const float edge2 = edge * edge;
+    const float* const now = pair.newer.row(v);
+    const int width = pair.newer.width;
+    for_each_strip(pair.grid, pair.newer, pair.strips, v, [&](int strip, int begin, int end) {
+        FloorCell& cell = out.cells[pair.grid.index(v / cell_rows, strip)];
+        for (int u = std::max(begin, 1); u < std::min(end, width - 1); ++u) {
+            const float gx = 0.5F * (now[u + 1] - now[u - 1]);
+            const float gy = 0.5F * (now[u + width] - now[u - width]);
+            const float g2 = gx * gx + gy * gy;
+            if (g2 == g2) ++cell.pixels;
+            if (g2 > 1.5F * edge2) ++cell.edges;
         }
     });
 }
@@ -253,52 +250,65 @@ class MedianCost {
 
   private:
     static constexpr float bins_per_unit = 64.0F;
-    std::array<int, static_cast<std::size_t>(cost_max* bins_per_unit) + 1> histogram_{};
+    std::array<int, static_cast<std::size_t>(rows::cost_max* bins_per_unit) + 1> histogram_{};
     int count_ = 0;
 };
 
-double near_fit_share(const LevelCamera& camera, const StripGrid& grid, const std::vector<FloorCell>& cells) {
+void add_costs(const Columns& columns, const FloorComparison& data, MedianCost& median) {
+    for (int u = columns.begin; u < columns.end; u += 2) {
+        const auto i = static_cast<std::size_t>(u);
+        if ((data.row_properties[i] & rows::compared_bit) != 0) median.add(data.row_cost[i]);
+    }
+}
+
+void measure_fit(const Pair& pair, FloorComparison& out) {
     int good = 0;
     int all = 0;
-    for (int cell = grid.top_row / cell_rows + 1; cell < grid.cells; ++cell) {
-        if (cell_floor_m(camera, cell) > near_floor_m) continue;
-        for (int s = 0; s < grid.strips; ++s) {
-            good += cells[grid.index(cell, s)].floor;
-            all += cells[grid.index(cell, s)].floor + cells[grid.index(cell, s)].not_floor;
+    for (int cell = pair.grid.top_row / cell_rows + 1; cell < pair.grid.cells; ++cell) {
+        if (cell_floor_m(pair.newer.camera, cell) > near_floor_m) continue;
+        for (int s = pair.strips.first; s < pair.strips.last; ++s) {
+            const FloorCell& c = out.cells[pair.grid.index(cell, s)];
+            good += c.floor;
+            all += c.floor + c.not_floor;
         }
     }
-    return all > 0 ? static_cast<double>(good) / all : 0.0;
+    out.near_informative = all;
+    out.fit_share = all > 0 ? static_cast<double>(good) / all : 0.0;
+}
+
+void make_room(const Pair& pair, FloorComparison& out) {
+    const auto width = static_cast<std::size_t>(pair.newer.width);
+    out.noise = pair.noise;
+    out.cells.assign(pair.grid.size(), FloorCell{});
+    out.unsorted.clear();
+    out.row_offset.resize(width);
+    out.row_cost.resize(width);
+    out.row_steepness2.resize(width);
+    out.row_properties.resize(width);
+    out.property_counts.assign(static_cast<std::size_t>(pair.grid.strips * rows::combinations), 0);
 }
 
 }  // namespace
 
 void compare_with_floor(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
-                        double noise, FloorComparison& out) {
-    const StripGrid grid = strip_grid(newer);
-    const auto sigma = static_cast<float>(noise);
-    out.noise = noise;
-    out.cells.assign(grid.size(), FloorCell{});
-    out.unsorted.clear();
-    warp_floor(reference, newer, warp, grid.top_row, out.warped);
-    measure_brightness(newer, warp, grid.top_row, out);
-    measure_offsets(newer, grid.top_row, noise, out);
-    const auto width = static_cast<std::size_t>(newer.width);
-    out.row.assign(6 * width, 0.0F);
-    float* const r = out.row.data();
-    const RowBuffers row{r, r + width, r + 2 * width, r + 3 * width, r + 4 * width, r + 5 * width};
+                        double noise, const StripRange& strips, FloorComparison& out) {
+    const Pair pair{reference, newer, warp, strip_grid(newer), strips, static_cast<float>(noise)};
+    make_room(pair, out);
+    warp_floor(pair, out.warped);
+    measure_brightness(pair, out);
+    measure_offsets(pair, out);
     MedianCost median;
-    const int rows = std::min(newer.height - 1, grid.cells * cell_rows);
-    for (int v = 1; v < std::min(grid.top_row, rows); ++v) count_edges(newer, grid, v, sigma, out);
-    for (int v = grid.top_row; v < rows; ++v) {
-        fill_row(newer, warp, v, sigma, out, row);
-        count_row(newer, grid, v, sigma, row, out);
-        if (v % sparse_px != 0) continue;
-        for (int u = 1; u < newer.width - 1; u += 2)
-            if (row.error[u] == row.error[u]) median.add(row.cost[u]);
+    for (int v = 1; v < std::min(pair.first_row(), pair.last_row()); ++v) count_edges(pair, v, out);
+    for (int v = pair.first_row(); v < pair.last_row(); ++v) {
+        const Columns columns = columns_of(pair.grid, newer, strips, v);
+        fill_row(pair, v, columns, out);
+        count_row(pair, v, columns, out);
+        if (v % sparse_px == 0) add_costs(columns, out, median);
+        if ((v + 1) % cell_rows == 0 || v + 1 == pair.last_row()) flush_counts(pair, v / cell_rows, out);
     }
-    sort_by_strip(grid, out);
+    sort_by_strip(pair.grid, out);
     if (median.count() >= samples_min) out.noise = noise * std::sqrt(median.value() / usual_cost);
-    out.fit_share = near_fit_share(newer.camera, grid, out.cells);
+    measure_fit(pair, out);
 }
 
 }  // namespace flownav::obstacles

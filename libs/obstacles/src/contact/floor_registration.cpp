@@ -42,12 +42,11 @@ void choose_pixels(const LevelImage& image, double noise, std::vector<Pixel>& ou
             float best2 = static_cast<float>(least * least);
             for (int v = v0; v < v0 + tile_px; ++v) {
                 const float* const row = image.row(v);
-                const auto span = image.valid[static_cast<std::size_t>(v)];
-                for (int u = std::max(u0, span.begin + 1); u < std::min(u0 + tile_px, span.end - 1); ++u) {
+                for (int u = u0; u < u0 + tile_px; ++u) {
                     const float gx = 0.5F * (row[u + 1] - row[u - 1]);
                     const float gy = 0.5F * (row[u + image.width] - row[u - image.width]);
                     const float g2 = gx * gx + gy * gy;
-                    if (g2 <= best2) continue;
+                    if (!(g2 > best2)) continue;
                     best2 = g2;
                     best = {static_cast<float>(u), static_cast<float>(v), row[u], gx, gy};
                 }
@@ -117,7 +116,7 @@ bool improve(const LevelImage& reference, const LevelImage& newer, const Paramet
         const double r2 = e * e / (variance * tukey_cut * tukey_cut);
         if (r2 >= 1.0) continue;
         const double w = (1.0 - r2) * (1.0 - r2) / variance;
-        const std::array<float, 7> j = jacobian(p, newer.camera, q);
+        const std::array<float, 7>& j = s.jacobians[i];
         for (int k = 0; k < 7; ++k) {
             const double wj = w * j[static_cast<std::size_t>(k)];
             b[k] += wj * e;
@@ -130,10 +129,15 @@ bool improve(const LevelImage& reference, const LevelImage& newer, const Paramet
 
 }  // namespace
 
+void choose_floor_pixels(const LevelImage& newer, double noise, RegistrationScratch& scratch) {
+    choose_pixels(newer, noise, scratch.pixels);
+}
+
 PairMotion register_floor(const LevelImage& reference, const LevelImage& newer, const PairMotion& measured,
                           const PairPrior& prior, double noise, RegistrationScratch& scratch) {
-    choose_pixels(newer, noise, scratch.pixels);
     const Parameters q0 = vector_of(measured);
+    scratch.jacobians.clear();
+    for (const Pixel& p : scratch.pixels) scratch.jacobians.push_back(jacobian(p, newer.camera, q0));
     Parameters sigma;
     sigma << prior.forward_m, prior.right_m, prior.omega_rad, prior.pitch_rad, prior.roll_rad, prior.slope,
         prior.cross_slope;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flownav::obstacles {
 namespace {
@@ -31,18 +32,6 @@ void halve(const ImageView& image, int width, int height, float* out) {
             out[u] = 0.25F * static_cast<float>(sum);
         }
     }
-}
-
-/// Longest run of samples inside the image.
-LevelImage::Span longest_run(const std::vector<int>& inside) {
-    LevelImage::Span best;
-    LevelImage::Span run;
-    for (int u = 0; u < static_cast<int>(inside.size()); ++u) {
-        run = inside[static_cast<std::size_t>(u)] ? LevelImage::Span{run.begin, u + 1}
-                                                  : LevelImage::Span{u + 1, u + 1};
-        if (run.end - run.begin > best.end - best.begin) best = run;
-    }
-    return best;
 }
 
 }  // namespace
@@ -76,7 +65,6 @@ LevelMapping::LevelMapping(const RayMapper& mapper) {
     const LevelCamera level = half_camera(c);
     const int width = c.width_px / 2;
     const int height = c.height_px / 2;
-    std::vector<int> inside(static_cast<std::size_t>(width));
     for (int v = 0; v < height; ++v) {
         for (int u = 0; u < width; ++u) {
             const Eigen::Vector2d at(
@@ -84,7 +72,6 @@ LevelMapping::LevelMapping(const RayMapper& mapper) {
             const Eigen::Vector2d half((at.x() - 0.5) / 2, (at.y() - 0.5) / 2);
             const bool is_inside =
                 half.x() >= 0.0 && half.y() >= 0.0 && half.x() < width - 1 && half.y() < height - 1;
-            inside[static_cast<std::size_t>(u)] = is_inside;
             Sample sample;
             if (is_inside) {
                 const int x = static_cast<int>(half.x());
@@ -93,7 +80,6 @@ LevelMapping::LevelMapping(const RayMapper& mapper) {
             }
             samples_.push_back(sample);
         }
-        valid_.push_back(longest_run(inside));
     }
 }
 
@@ -107,16 +93,14 @@ void LevelMapping::apply(const ImageView& image, const RayMapper& mapper, LevelI
     out.vignetting = 0.0;
     out.grey.resize(pixels);
     if (samples_.empty()) {
-        out.valid.assign(static_cast<std::size_t>(height), {0, width});
         halve(image, width, height, out.grey.data());
     } else {
-        out.valid = valid_;
         half_.resize(pixels);
         halve(image, width, height, half_.data());
         for (std::size_t i = 0; i < pixels; ++i) {
             const Sample& s = samples_[i];
             if (s.index < 0) {
-                out.grey[i] = 0.0F;
+                out.grey[i] = std::numeric_limits<float>::quiet_NaN();
                 continue;
             }
             const float* const p = half_.data() + s.index;

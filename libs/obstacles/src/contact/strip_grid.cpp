@@ -1,4 +1,4 @@
-#include "strip_grid.h"
+#include "flownav/obstacles/strip_grid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "strip_grid.h"
+#include "flownav/obstacles/strip_grid.h"
 
 namespace flownav::obstacles {
 namespace {
@@ -105,9 +105,9 @@ double foot_m(const FirstEdge& edge, const StripEvidence& strip) {
 }  // namespace
 
 void find_floor_ends(const LevelImage& image, const std::vector<FloorCell>& cells,
-                     std::vector<StripEvidence>& strips) {
+                     std::vector<double>& missing, std::vector<StripEvidence>& strips) {
     const StripGrid grid = strip_grid(image);
-    std::vector<double> missing(static_cast<std::size_t>(grid.cells), 0.0);
+    missing.assign(static_cast<std::size_t>(grid.cells), 0.0);
     for (int cell = grid.top_row / cell_rows; cell < grid.cells; ++cell)
         missing[static_cast<std::size_t>(cell)] = -std::log(1.0 - presence(grid, cells, cell));
     for (int s = 0; s < grid.strips; ++s)

@@ -21,7 +21,9 @@ PairPrior loose() {
 PairMotion register_pair(const LevelView& reference, const LevelView& newer, const PairMotion& measured) {
     const LevelWorld world;
     RegistrationScratch scratch;
-    return register_floor(draw(world, reference), draw(world, newer), measured, loose(), noise, scratch);
+    const LevelImage image = draw(world, newer);
+    choose_floor_pixels(image, noise, scratch);
+    return register_floor(draw(world, reference), image, measured, loose(), noise, scratch);
 }
 
 /// A drive of 16 cm straight ahead, seen with `newer`; the other parameters are measured as 0.
@@ -68,8 +70,10 @@ TEST(FloorRegistration, WithoutTextureTheMeasuredMotionStays) {
     LevelView newer;
     newer.T_world_camera.x_m = 0.16;
     RegistrationScratch scratch;
+    const LevelImage image = draw(world, newer);
+    choose_floor_pixels(image, noise, scratch);
     const PairMotion motion =
-        register_floor(draw(world, {}), draw(world, newer), {0.15, 0.01, 0.02}, loose(), noise, scratch);
+        register_floor(draw(world, {}), image, {0.15, 0.01, 0.02}, loose(), noise, scratch);
     EXPECT_EQ(motion.forward_m, 0.15);
     EXPECT_EQ(motion.right_m, 0.01);
     EXPECT_EQ(motion.omega_rad, 0.02);

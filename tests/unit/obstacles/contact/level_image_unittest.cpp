@@ -35,9 +35,9 @@ Eigen::Vector2d centre(const LevelImage& image) {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     double weight = 0.0;
     for (int v = 0; v < image.height; ++v) {
-        const auto span = image.valid[static_cast<std::size_t>(v)];
-        for (int u = span.begin; u < span.end; ++u) {
+        for (int u = 0; u < image.width; ++u) {
             const double w = image.row(v)[u] - 20.0;
+            if (std::isnan(w)) continue;
             sum += w * Eigen::Vector2d((u - image.camera.cx_px) / image.camera.fx_px,
                                        (v - image.camera.cy_px) / image.camera.fy_px);
             weight += w;

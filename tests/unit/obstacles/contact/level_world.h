@@ -51,7 +51,6 @@ inline obstacles::LevelImage draw(const LevelWorld& world, const LevelView& view
     image.height = 240;
     image.camera = level_camera();
     image.grey.resize(320 * 240);
-    image.valid.assign(240, {0, 320});
     const double c = std::cos(view.T_world_camera.yaw_rad);
     const double s = std::sin(view.T_world_camera.yaw_rad);
     const double cr = std::cos(view.roll_rad);

@@ -42,7 +42,9 @@ struct ConeMemory {
     int size = 0;
     std::optional<HeldThing> candidate;  ///< of the last scan
     std::optional<HeldThing> held;
-    std::vector<float> sums;  ///< memory of decide_cone()
+    // Buffers.
+    std::vector<float> sums;
+    std::vector<float> sides;
 };
 
 /// Strips whose votes a long pair needs: the cone and the sides that tell how much floor alone is voted for.
@@ -51,10 +53,17 @@ StripRange side_strips(int first, int strips);
 /// Makes room for the votes of a new pair, the newest.
 ConeVotes& push_cone_votes(ConeMemory& memory, const Pose2& T_start_robot);
 
-/// Copies the scores of the cone and measures those of the sides.
-void take_votes(const LevelImage& newer, const ContactVotes& votes, Voters voters, ConeVotes& out);
+/// Forgets the pairs and what was seen in them.
+void forget_pairs(ConeMemory& memory);
+
+/// Room for pairs of so many cells, so that none allocates.
+void reserve(ConeMemory& memory, std::size_t cells);
+
+/// Copies the scores of the cone and measures those of the sides. `sides`: buffer.
+void take_votes(const LevelImage& newer, const ContactVotes& votes, std::vector<float>& sides,
+                ConeVotes& out);
 
 /// Adds up the votes of the last 0.7 m at each place of the cone and enters what stands out as obstacles.
-void decide_cone(ConeMemory& memory, const LevelImage& newer, const Pose2& T_start_robot, ContactScan& out);
+void decide_cone(ConeMemory& memory, const Pose2& T_start_robot, ContactScan& out);
 
 }  // namespace flownav::obstacles

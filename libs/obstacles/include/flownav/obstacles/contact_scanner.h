@@ -44,6 +44,9 @@ class KeyImages {
         size_ = size_ < most ? size_ + 1 : most;
         return (*this)[0];
     }
+    void reserve(std::size_t pixels) {
+        for (KeyImage& key : images_) key.image.grey.reserve(pixels);
+    }
     /// Keeps the newest `count`.
     void keep(int count) { size_ = count < size_ ? count : size_; }
 
@@ -82,10 +85,14 @@ struct ContactMemory {
     ContactVotes votes;
     RegistrationScratch registration;
     std::vector<StripEvidence> evidence;
+    std::vector<double> missing;
 };
 
 /// Forgets everything; `mapper` is that of the images to come.
 void restart(ContactMemory& memory, const RayMapper& mapper);
+
+/// Forgets the images: the way between those before and those to come is unknown.
+void forget_images(ContactMemory& memory);
 
 /// Scans the cycle that ends when the robot has travelled far enough since the last scan; true when `out` is
 /// new. Then it speaks of the robot frame of this image, and out.gate says whether the cycle could be

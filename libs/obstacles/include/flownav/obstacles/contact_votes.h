@@ -2,34 +2,34 @@
 #include <vector>
 
 #include "flownav/obstacles/floor_comparison.h"
+#include "flownav/obstacles/strip_grid.h"
 
 namespace flownav::obstacles {
 
-/// Pixels that vote for contacts.
-enum class Voters { All, SteepEdges };
-
 /// Votes for "an upright surface stands on the floor in this cell": one score a cell of StripGrid.
 struct ContactVotes {
-    std::vector<float> score;
+    std::vector<float> all;    ///< by all pixels that do not fit
+    std::vector<float> steep;  ///< by those on edges nearer to the vertical than to the horizontal
 
-    // Memory.
+    // Buffers.
+    std::vector<int> candidates;  ///< cells, from the farthest to the nearest
+    std::vector<float> inverse;   ///< of their forward distances
     std::vector<float> row_weight;
     std::vector<float> shares;
-    std::vector<float> votes;  ///< of one strip: candidate cell times cell of the voters
-};
-
-/// Strips first to last - 1 of a StripGrid.
-struct StripRange {
-    int first = 0;
-    int last = 0;
+    std::vector<float> votes;  ///< of one strip: cell of the voters times candidate
+    std::vector<float> steep_votes;
+    std::vector<float> sums;
 };
 
 /// Lets every pixel of `comparison` that does not move as the floor vote for the cells below it: a pixel that
 /// moves as an upright surface at that contact votes for it, one that does not votes against it; floor that
 /// is seen between contact and pixel votes against it too. `noise`: as in compare_with_floor().
 void vote_for_contacts(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
-                       const FloorComparison& comparison, double noise, Voters voters,
-                       const StripRange& strips, ContactVotes& out);
+                       const FloorComparison& comparison, double noise, const StripRange& strips,
+                       ContactVotes& out);
+
+/// Score of a contact in one cell: the sum over three strips of the best of three cells.
+float contact_score(const StripGrid& grid, const std::vector<float>& votes, int cell, int strip);
 
 /// The best contact of one strip.
 struct Contact {
@@ -41,7 +41,7 @@ struct Contact {
 };
 
 /// The contact with the highest score within the ranges; `strip` is an index of the grid.
-Contact best_contact(const LevelImage& newer, const ContactVotes& votes, int strip, double range_min_m,
+Contact best_contact(const LevelImage& newer, const std::vector<float>& votes, int strip, double range_min_m,
                      double range_max_m);
 
 }  // namespace flownav::obstacles

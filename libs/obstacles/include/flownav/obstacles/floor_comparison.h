@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "flownav/obstacles/floor_warp.h"
+#include "flownav/obstacles/strip_grid.h"
 
 namespace flownav::obstacles {
 
@@ -35,6 +36,7 @@ struct FloorComparison {
     double vignetting = 0.0;       ///< fall-off of brightness that is left in the images, at the corner
     double noise = 0.0;            ///< standard deviation of differences of grey levels, as measured here
     double fit_share = 0.0;        ///< of the informative pixels of the near floor
+    int near_informative = 0;      ///< their number
 
     // Memory.
     std::vector<float> warped;  ///< grey level that the floor had in the reference; NaN: outside
@@ -42,17 +44,17 @@ struct FloorComparison {
     std::vector<Misfit> unsorted;
     std::vector<int> count;
     std::vector<double> ratios;
-    std::vector<float> row;
+    std::vector<float> offset_pixels;
+    std::vector<float> row_offset;
+    std::vector<float> row_cost;
+    std::vector<float> row_steepness2;
+    std::vector<int> row_properties;
+    std::vector<std::uint16_t> property_counts;
 };
 
-/// Compares every pixel that could show floor with the place in the reference from which `warp` says the
-/// floor came. `noise`: standard deviation of differences of grey levels.
+/// Compares every pixel of the strips that could show floor with the place in the reference from which `warp`
+/// says the floor came. `noise`: standard deviation of differences of grey levels.
 void compare_with_floor(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
-                        double noise, FloorComparison& out);
-
-/// Tolerances of the comparison.
-constexpr float position_error_px = 0.25F;         ///< of the warped place, pixels of half resolution
-constexpr float position_error_per_flow = 0.008F;  ///< added in quadrature, a pixel of flow
-constexpr float cost_max = 4.0F;
+                        double noise, const StripRange& strips, FloorComparison& out);
 
 }  // namespace flownav::obstacles

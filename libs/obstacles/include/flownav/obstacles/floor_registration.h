@@ -30,9 +30,12 @@ struct RegistrationScratch {
     std::vector<std::array<float, 7>> jacobians;
 };
 
-/// Corrects `measured` so that the floor of `newer` fits that of `reference` best: MAP estimate by
-/// Gauss-Newton with Tukey's weights over the strongest edges below the horizon. `noise`: standard deviation
-/// of the grey levels of one image. Returns `measured` when there are too few edges.
+/// Chooses the pixels of `newer` that register_floor() compares: the strongest edges below the horizon.
+/// `noise`: standard deviation of differences of grey levels.
+void choose_floor_pixels(const LevelImage& newer, double noise, RegistrationScratch& scratch);
+
+/// Corrects `measured` so that the chosen pixels of the floor of `newer` fit that of `reference` best: MAP
+/// estimate by Gauss-Newton with Tukey's weights. Returns `measured` when there are too few pixels.
 PairMotion register_floor(const LevelImage& reference, const LevelImage& newer, const PairMotion& measured,
                           const PairPrior& prior, double noise, RegistrationScratch& scratch);
 

@@ -32,19 +32,13 @@ struct LevelCamera {
 };
 
 /// An image at half resolution as LevelCamera takes it, brightness in grey levels, with the fall-off of the
-/// lens taken out. Row v of the camera's view is valid in the columns valid[v].begin to valid[v].end - 1.
+/// lens taken out. NaN where the camera did not look.
 struct LevelImage {
-    struct Span {
-        int begin = 0;
-        int end = 0;
-    };
-
     int width = 0;
     int height = 0;
     double vignetting = 0.0;  ///< share of brightness lost at the corner of the image that was taken out
     LevelCamera camera;
     std::vector<float> grey;
-    std::vector<Span> valid;
 
     const float* row(int v) const { return grey.data() + static_cast<std::ptrdiff_t>(v) * width; }
     float* row(int v) { return grey.data() + static_cast<std::ptrdiff_t>(v) * width; }
@@ -67,7 +61,6 @@ class LevelMapping {
     };
 
     std::vector<Sample> samples_;
-    std::vector<LevelImage::Span> valid_;
     std::vector<float> half_;
 };
 

@@ -73,8 +73,8 @@ struct Step {
     std::vector<ObstaclePoint> obstacles;  ///< robot frame at timestamp_s; only at the end of a cycle
     std::vector<GroundPatch> ground;       ///< robot frame at timestamp_s; only at the end of a cycle
     VirtualScan scan;                      ///< only at the end of a cycle
-    bool new_contacts = false;             ///< `contacts` are new with this field
-    ContactScan contacts;                  ///< of the last scanned cycle
+    bool new_contacts = false;             ///< `contacts` were made with this field
+    ContactScan contacts;                  ///< the last scan, as seen at the last end of a cycle
 };
 
 }  // namespace flownav::pipeline

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <vector>
 
 #include "flownav/obstacles/level_image.h"
@@ -26,17 +27,27 @@ struct StripGrid {
 
 StripGrid strip_grid(const LevelImage& image);
 
-/// Calls f(strip, begin, end) for the columns begin to end - 1 of every strip in row `v` of the image.
+/// Strips first to last - 1 of a StripGrid.
+struct StripRange {
+    int first = 0;
+    int last = 0;
+};
+
+/// First column of a strip in row `v`, within the image; the strip ends where the next begins.
+inline int strip_column(const StripGrid& grid, const LevelImage& image, int strip, int v) {
+    const double column = image.camera.column_of((grid.first + strip) * strip_tangent, v);
+    if (!(column > 0.0)) return 0;
+    return column < image.width ? static_cast<int>(std::ceil(column)) : image.width;
+}
+
+/// Calls f(strip, begin, end) for the columns begin to end - 1 of every strip of `range` in row `v`.
 template <typename F>
-void for_each_strip(const StripGrid& grid, const LevelImage& image, int v, F f) {
-    const LevelImage::Span span = image.valid[static_cast<std::size_t>(v)];
-    int begin = span.begin;
-    for (int s = 0; s < grid.strips && begin < span.end; ++s) {
-        const double right = (grid.first + s + 1) * strip_tangent;
-        const int limit = static_cast<int>(image.camera.column_of(right, v)) + 1;
-        const int end = limit < span.end ? limit : span.end;
+void for_each_strip(const StripGrid& grid, const LevelImage& image, const StripRange& range, int v, F f) {
+    int begin = strip_column(grid, image, range.first, v);
+    for (int s = range.first; s < range.last; ++s) {
+        const int end = strip_column(grid, image, s + 1, v);
         if (end > begin) f(s, begin, end);
-        begin = end > begin ? end : begin;
+        begin = end;
     }
 }
 
@@ -44,10 +55,5 @@ void for_each_strip(const StripGrid& grid, const LevelImage& image, int v, F f) 
 inline double cell_floor_m(const LevelCamera& camera, int cell) {
     return camera.floor_m(cell * cell_rows + 0.5 * (cell_rows - 1));
 }
-
-struct ContactVotes;
-
-/// Score of a contact in one cell: the sum over three strips of the best of three cells.
-float contact_score(const StripGrid& grid, const ContactVotes& votes, int cell, int strip);
 
 }  // namespace flownav::obstacles
