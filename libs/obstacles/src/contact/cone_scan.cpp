@@ -24,11 +24,11 @@ constexpr double held_below_m = 1.45;  // nearer: the held place is the answer
 constexpr double held_way_m = 1.2;     // a place is held over this way
 constexpr double same_place = 0.25;    // of the distance, between two scans
 constexpr double plateau_share = 0.85;
-constexpr double steep_min = 19.0;   // score of steep edges that is an alarm
-constexpr double steep_ratio = 6.0;  // and its ratio to that of the sides,
+constexpr double steep_min = 25.0;   // score of steep edges that is an alarm
+constexpr double steep_ratio = 8.0;  // and its ratio to that of the sides,
 constexpr double steep_usual_min = 2.0;
-constexpr double all_min = 38.0;  // the same of all edges
-constexpr double all_ratio = 8.0;
+constexpr double all_min = 50.0;  // the same of all edges
+constexpr double all_ratio = 11.0;
 constexpr double all_usual_min = 5.0;
 
 bool is_in_cone(double right) {
@@ -152,6 +152,13 @@ Best find_best(const ConeMemory& memory, const Accumulated& sum, const ContactSc
     return best;
 }
 
+/// True while a thing is in the cone, or a strip beside it.
+bool is_ahead(const HeldThing& thing, const Pose2& T_start_robot, const ContactScan& scan) {
+    const Vector2d p = transform(inverse(T_start_robot), thing.place_m);
+    const double forward_m = p.x() - scan.camera_m.x();
+    return std::abs(scan.camera_m.y() - p.y()) < (cone_tangent + strip_tangent) * forward_m;
+}
+
 /// Enters a thing into the strips of the cone that it covers.
 void enter(const HeldThing& thing, const Pose2& T_start_robot, ContactScan& out) {
     const Vector2d p = transform(inverse(T_start_robot), thing.place_m);
@@ -266,11 +273,10 @@ void decide_cone(ConeMemory& memory, const Pose2& T_start_robot, ContactScan& ou
         if ((now->place_m - memory.candidate->place_m).norm() < same_place * forward_m) memory.held = now;
     }
     memory.candidate = now;
-    if (!memory.held) return;
-    if (way_m(memory.held->seen_from, T_start_robot) > held_way_m) {
+    if (memory.held && (way_m(memory.held->seen_from, T_start_robot) > held_way_m ||
+                        !is_ahead(*memory.held, T_start_robot, out)))
         memory.held.reset();
-        return;
-    }
+    if (!memory.held) return;
     enter(*memory.held, T_start_robot, out);
 }
 

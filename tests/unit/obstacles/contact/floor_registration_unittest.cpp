@@ -13,23 +13,27 @@ using testing::LevelWorld;
 
 constexpr double noise = 0.8;
 
-/// Standard deviations that leave the parameters to the images.
-PairPrior loose() {
-    return {0.05, 0.05, 0.05, 0.05, 0.05, 0.05, 0.05};
+/// Standard deviations of a drive of 16 cm.
+PairPrior usual() {
+    PairPrior prior;
+    prior.forward_m = 0.004;
+    prior.right_m = 0.0013;
+    return prior;
 }
 
-PairMotion register_pair(const LevelView& reference, const LevelView& newer, const PairMotion& measured) {
+PairMotion register_pair(const LevelView& reference, const LevelView& newer, const PairMotion& measured,
+                         const PairPrior& prior = usual()) {
     const LevelWorld world;
     RegistrationScratch scratch;
     const LevelImage image = draw(world, newer);
     choose_floor_pixels(image, noise, scratch);
-    return register_floor(draw(world, reference), image, measured, loose(), noise, scratch);
+    return register_floor(draw(world, reference), image, measured, prior, noise, scratch);
 }
 
 /// A drive of 16 cm straight ahead, seen with `newer`; the other parameters are measured as 0.
-PairMotion register_drive(LevelView newer) {
+PairMotion register_drive(LevelView newer, const PairPrior& prior) {
     newer.T_world_camera.x_m = 0.16;
-    return register_pair({}, newer, {0.16});
+    return register_pair({}, newer, {0.16}, prior);
 }
 
 TEST(FloorRegistration, FindsTheWayAhead) {
@@ -42,26 +46,34 @@ TEST(FloorRegistration, FindsTheWayAhead) {
 TEST(FloorRegistration, ASlideToTheRightIsPositive) {
     LevelView newer;
     newer.T_world_camera = {0.16, -0.003, 0.0};
-    const PairMotion motion = register_pair({}, newer, {0.16});
+    PairPrior prior = usual();
+    prior.right_m = 0.05;
+    const PairMotion motion = register_pair({}, newer, {0.16}, prior);
     EXPECT_NEAR(motion.right_m, 0.003, 0.0015);
 }
 
 TEST(FloorRegistration, ATurnToTheLeftIsPositive) {
     LevelView newer;
     newer.T_world_camera.yaw_rad = 0.004;
-    EXPECT_NEAR(register_drive(newer).omega_rad, 0.004, 0.0006);
+    PairPrior prior = usual();
+    prior.omega_rad = 0.05;
+    EXPECT_NEAR(register_drive(newer, prior).omega_rad, 0.004, 0.0006);
 }
 
 TEST(FloorRegistration, RaisingTheViewIsAPositivePitch) {
     LevelView newer;
     newer.pitch_rad -= 0.002;
-    EXPECT_NEAR(register_drive(newer).pitch_rad, 0.002, 0.0006);
+    PairPrior prior = usual();
+    prior.pitch_rad = 0.05;
+    EXPECT_NEAR(register_drive(newer, prior).pitch_rad, 0.002, 0.0006);
 }
 
 TEST(FloorRegistration, APictureTurnedClockwiseIsAPositiveRoll) {
     LevelView newer;
     newer.roll_rad = 0.003;
-    EXPECT_NEAR(register_drive(newer).roll_rad, 0.003, 0.0006);
+    PairPrior prior = usual();
+    prior.roll_rad = 0.05;
+    EXPECT_NEAR(register_drive(newer, prior).roll_rad, 0.003, 0.0006);
 }
 
 TEST(FloorRegistration, WithoutTextureTheMeasuredMotionStays) {
@@ -73,7 +85,7 @@ TEST(FloorRegistration, WithoutTextureTheMeasuredMotionStays) {
     const LevelImage image = draw(world, newer);
     choose_floor_pixels(image, noise, scratch);
     const PairMotion motion =
-        register_floor(draw(world, {}), image, {0.15, 0.01, 0.02}, loose(), noise, scratch);
+        register_floor(draw(world, {}), image, {0.15, 0.01, 0.02}, usual(), noise, scratch);
     EXPECT_EQ(motion.forward_m, 0.15);
     EXPECT_EQ(motion.right_m, 0.01);
     EXPECT_EQ(motion.omega_rad, 0.02);

@@ -24,8 +24,8 @@ struct LevelWorld {
     std::vector<Screen> screens;
 
     double floor_grey(double x_m, double y_m) const {
-        const double waves = std::sin(23 * x_m + 5 * y_m) + std::sin(17 * y_m - 7 * x_m) +
-                             std::sin(31 * (x_m + y_m)) + std::sin(41 * x_m - 37 * y_m);
+        const double waves = std::sin(9 * x_m + 5 * y_m) + std::sin(13 * y_m - 4 * x_m) +
+                             std::sin(7 * (x_m + y_m)) + std::sin(6 * x_m - 17 * y_m);
         return 128.0 + contrast / 2 * waves;
     }
 };
