@@ -26,6 +26,14 @@ void check_occupancy(const mapping::OccupancyLimits& limits) {
 
 }  // namespace
 
+void check_contacts(const Config& config) {
+    const obstacles::ContactParams& contacts = config.pipeline.obstacles.contacts;
+    require_in_order("obstacles.contact_min_m", contacts.range_min_m, "obstacles.contact_max_m",
+                     contacts.range_max_m);
+    require_in_order("obstacles.contact_votes", contacts.score_min, "obstacles.contact_votes_sure",
+                     contacts.score_sure);
+}
+
 void check_map(const Config& config) {
     const mapping::MapParams& map = config.map;
     check_occupancy(map.occupancy);

@@ -164,6 +164,22 @@ std::vector<Key> obstacle_keys() {
             {0.01, 20}, AT(pipeline.obstacles.height_max_m)),
         number<double>({"obstacles", "beam_deg", "deg", "width of one beam of the virtual scan"}, {0.1, 45},
                        AT(pipeline.obstacles.beam_deg)),
+        word<bool>({"obstacles", "contacts", "", "look for what has no texture: the contact scan"},
+                   {{"true", true}, {"false", false}}, AT(pipeline.obstacles.contacts.on)),
+        number<double>({"obstacles", "contact_travel_m", "m", "the robot travels so far between two scans"},
+                       {0.03, 1}, AT(pipeline.obstacles.contacts.travel_m)),
+        number<double>({"obstacles", "contact_min_m", "m", "nearer contacts are not reported"}, {0.2, 5},
+                       AT(pipeline.obstacles.contacts.range_min_m)),
+        number<double>({"obstacles", "contact_max_m", "m", "contacts farther away are not reported"},
+                       {0.5, 20}, AT(pipeline.obstacles.contacts.range_max_m)),
+        number<double>(
+            {"obstacles", "contact_votes", "", "votes of a contact that an earlier scan had as well"},
+            {1, 1e5}, AT(pipeline.obstacles.contacts.score_min)),
+        number<double>({"obstacles", "contact_votes_sure", "", "votes of a contact that one scan confirms"},
+                       {1, 1e5}, AT(pipeline.obstacles.contacts.score_sure)),
+        number<double>({"obstacles", "floor_fit_min", "",
+                        "with a smaller share of the near floor that moves as a floor, a scan says nothing"},
+                       {0, 1}, AT(pipeline.obstacles.contacts.fit_share_min)),
     };
 }
 

@@ -87,6 +87,7 @@ ProducerSettings read(const CConfigFileBase& ini, const std::string& section) {
     const std::string label = text_of(ini, section, "rawlog_camera_sensor_label");
     if (!label.empty()) settings.config.camera.camera_label = label;
     for (const std::string& key : keys_of(ini, section)) set_key(settings, key, text_of(ini, section, key));
+    config::check_contacts(settings.config);
     config::check_map(settings.config);
     settings.source = source_of(settings);
     return settings;

@@ -80,6 +80,19 @@ TEST(Config, LimitsOfCellsLieOnTheirSideOfTheUnknown) {
     }
 }
 
+TEST(Config, LimitsOfContactsInTheWrongOrderAreRefusedByName) {
+    EXPECT_NO_THROW(check_contacts(with("obstacles.contact_min_m", "3.6")));
+    EXPECT_THROW(check_contacts(with("obstacles.contact_min_m", "3.7")), ConfigError);
+    try {
+        check_contacts(with("obstacles.contact_votes", "81"));
+        FAIL() << "accepted";
+    } catch (const ConfigError& error) {
+        EXPECT_EQ(
+            std::string(error.what()),
+            "obstacles.contact_votes = 81: is more than obstacles.contact_votes_sure; allowed: up to 80");
+    }
+}
+
 TEST(Config, LimitsOfCellsInTheWrongOrderAreRefusedByName) {
     EXPECT_NO_THROW(check_map(with("map.obstacle_below", "0.47")));
     EXPECT_THROW(check_map(with("map.obstacle_below", "0.48")), ConfigError);

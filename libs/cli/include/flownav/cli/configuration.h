@@ -25,6 +25,7 @@ inline config::Config configuration(const std::string& file, const std::vector<s
                                     config::Config config = {}) {
     if (!file.empty()) config::load_config_file(config, file);
     apply_settings(config, settings);
+    config::check_contacts(config);
     config::check_map(config);
     try {
         flow::default_kernel();

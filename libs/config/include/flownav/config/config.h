@@ -75,6 +75,9 @@ std::string config_value(const Config& config, const std::string& key);
 /// Throws ConfigError naming file, key, value and range.
 void load_config_file(Config& config, const std::string& path);
 
+/// Throws ConfigError, which names the keys, when limits of the contact scan are in the wrong order.
+void check_contacts(const Config& config);
+
 /// Throws ConfigError, which names the keys, when the local map would have more than 2000 cells across.
 void check_map(const Config& config);
 
