@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "flownav/core/version.h"
-#include "flownav/evaluation/motion_sources.h"
 #include "flownav/evaluation/contact_figures.h"
+#include "flownav/evaluation/motion_sources.h"
 #include "flownav/evaluation/summary_facts.h"
 #include "flownav/math/units.h"
 
@@ -114,6 +114,8 @@ Json motion_part(const std::vector<FieldRow>& rows) {
     enter("gyro", sources.gyro);
     part["gyro_bias_degps"] = rounded(deg(sources.gyro_bias_radps));
     return part;
+}
+
 Json contacts_part(const ContactFigures& figures) {
     Json gates, causes;
     for (const ContactGate gate : all_contact_gates)

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "flownav/obstacles/strip_grid.h"
+#include "scan_places.h"
 #include "set_obstacle.h"
 
 namespace flownav::obstacles {
@@ -63,20 +64,6 @@ struct Accumulated {
     double all_usual = 0.0;
 };
 
-double way_m(const Pose2& a, const Pose2& b) {
-    return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
-}
-
-/// Place of a candidate in the frame of another pair's camera: (forward, right).
-Vector2d seen_from(const ConeVotes& pair, const ContactScan& scan, const Vector2d& place_m) {
-    const Vector2d p = transform(inverse(pair.T_start_robot), place_m);
-    return {p.x() - scan.camera_m.x(), scan.camera_m.y() - p.y()};
-}
-
-Vector2d place_of(const ContactScan& scan, const Pose2& T_start_robot, double forward_m, double right) {
-    return transform(T_start_robot, {scan.camera_m.x() + forward_m, scan.camera_m.y() - right * forward_m});
-}
-
 /// The best candidate of the cone.
 struct Best {
     double score = 0.0;  ///< ratio to its threshold
@@ -109,7 +96,7 @@ double alarm_ratio(const ConeMemory& memory, const Accumulated& sum, const Conta
     double all = 0.0;
     for (int i = 0; i < sum.pairs; ++i) {
         const ConeVotes& pair = nth(memory, i);
-        const Vector2d at = seen_from(pair, scan, place_m);
+        const Vector2d at = seen_from(scan, pair.T_start_robot, place_m);
         steep += std::min(score_limit, best_near(pair, pair.steep.score, at.x(), at.y()));
         all += std::min(score_limit, best_near(pair, pair.all.score, at.x(), at.y()));
     }
@@ -154,17 +141,16 @@ Best find_best(const ConeMemory& memory, const Accumulated& sum, const ContactSc
 
 /// True while a thing is in the cone, or a strip beside it.
 bool is_ahead(const HeldThing& thing, const Pose2& T_start_robot, const ContactScan& scan) {
-    const Vector2d p = transform(inverse(T_start_robot), thing.place_m);
-    const double forward_m = p.x() - scan.camera_m.x();
-    return std::abs(scan.camera_m.y() - p.y()) < (cone_tangent + strip_tangent) * forward_m;
+    const Vector2d at = seen_from(scan, T_start_robot, thing.place_m);
+    return std::abs(at.y()) < (cone_tangent + strip_tangent) * at.x();
 }
 
 /// Enters a thing into the strips of the cone that it covers.
 void enter(const HeldThing& thing, const Pose2& T_start_robot, ContactScan& out) {
-    const Vector2d p = transform(inverse(T_start_robot), thing.place_m);
-    const double forward_m = p.x() - out.camera_m.x();
+    const Vector2d at = seen_from(out, T_start_robot, thing.place_m);
+    const double forward_m = at.x();
     if (forward_m <= 0.2) return;
-    const double right = (out.camera_m.y() - p.y()) / forward_m;
+    const double right = at.y() / forward_m;
     const double half = std::max(0.08 / forward_m, 0.5 * strip_tangent);
     for (int i = 0; i < static_cast<int>(out.strips.size()); ++i) {
         const double middle = middle_tangent(out, i);

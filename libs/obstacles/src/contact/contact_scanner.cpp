@@ -7,6 +7,7 @@
 #include "flownav/core/plane_geometry.h"
 #include "flownav/obstacles/strip_grid.h"
 #include "flownav/obstacles/strip_rules.h"
+#include "scan_places.h"
 #include "set_obstacle.h"
 
 namespace flownav::obstacles {
@@ -30,10 +31,6 @@ constexpr double flat_surface = 0.12;      // largest relative step of range bet
 constexpr int hole_strips = 2;             // most strips inside a surface without votes
 constexpr double one_surface = 0.3;        // largest relative step of range between strips of one surface
 
-double way_m(const Pose2& a, const Pose2& b) {
-    return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
-}
-
 /// Learns fall-off and noise from the comparison: the first scans count fully, later ones little.
 void learn(ContactMemory& memory) {
     const FloorComparison& c = memory.comparison;
@@ -54,12 +51,6 @@ void gather_evidence(const KeyImage& newer, const ContactParams& params, Contact
     }
     find_floor_ends(newer.image, memory.comparison.cells, memory.missing, memory.evidence);
     find_walls(newer.image, memory.comparison.cells, params.range_max_m, memory.evidence);
-}
-
-/// Place of a contact, in the frame of T_start_robot.
-Vector2d place_of(const ContactScan& scan, const Pose2& T_start_robot, int strip, double forward_m) {
-    const double right = middle_tangent(scan, strip);
-    return transform(T_start_robot, {scan.camera_m.x() + forward_m, scan.camera_m.y() - right * forward_m});
 }
 
 /// True when one of the first `count` earlier contacts was at this place.
@@ -101,7 +92,7 @@ void decide_obstacles(ContactMemory& memory, const Pose2& T_start_robot, const C
         strip.score = e.votes.score;
         if (e.votes.score > params.score_min && e.votes.own > own_share * e.votes.score) {
             const double forward_m = smooth_m(memory.evidence, s);
-            const Vector2d place_m = place_of(out, T_start_robot, s, forward_m);
+            const Vector2d place_m = place_of(out, T_start_robot, forward_m, middle_tangent(out, s));
             const bool before = was_seen_before(memory, known, place_m, forward_m);
             memory.earlier.push_back({place_m, memory.scans});
             if (before || e.votes.score > params.score_sure)

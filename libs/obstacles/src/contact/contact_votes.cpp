@@ -14,7 +14,7 @@ constexpr double contact_nearest_m = 0.6;
 constexpr double contact_farthest_m = 5.0;
 constexpr double every_cell_m = 1.4;  // nearer: every second cell is a candidate
 constexpr double plateau_share = 0.93;
-constexpr int voters_max = 400;  // of one strip; of more, every second or third votes, with more weight
+constexpr int voters_max = 128;  // of one strip; of more, every second or third votes, with more weight
 
 /// Rows in which many strips do not fit weigh little: there the comparison itself is poor.
 void weigh_rows(const StripGrid& grid, const StripRange& strips, const std::vector<FloorCell>& cells,

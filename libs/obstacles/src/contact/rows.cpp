@@ -19,4 +19,8 @@ const Functions& functions() {
     return portable::table;
 }
 
+const Functions& portable_functions() {
+    return portable::table;
+}
+
 }  // namespace flownav::obstacles::rows

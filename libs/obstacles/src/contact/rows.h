@@ -29,7 +29,7 @@ struct CostRow {
     float w0, w1;      ///< inverse distance of the floor: w0 + w1 u
     float bx, by, bz;  ///< displacement of the reference's camera, in its pixels
     float gain;
-    float noise;       ///< standard deviation of differences of grey levels
+    float noise;        ///< standard deviation of differences of grey levels
     float* cost;        ///< of the floor
     float* steepness2;  ///< squared gradient of the finest detail
     int* properties;    ///< bits, see below
@@ -57,6 +57,9 @@ struct Functions {
 
 /// Those of the fastest instruction set that this processor has.
 const Functions& functions();
+
+/// Those of plain C++, which every processor has.
+const Functions& portable_functions();
 
 // Properties of a pixel.
 constexpr int seen_bit = 1;          ///< the camera looked there
