@@ -28,7 +28,9 @@ void SensorWatch::sensed(const SensorReport& report) {
 
 void SensorWatch::note_sectors(const SensorReport& report) {
     for (std::size_t i = 0; i < report.blocks.size(); ++i) {
-        const bool blind = report.confident[i] < params_.sector_share * report.blocks[i];
+        const bool few_blocks = report.confident[i] < params_.sector_share * report.blocks[i];
+        const bool few_strips = report.bearings[i] == 0 || 2 * report.decided[i] < report.bearings[i];
+        const bool blind = few_blocks && few_strips;
         if (!blind) blind_since_s_[i].reset();
         if (blind && !blind_since_s_[i]) blind_since_s_[i] = report.timestamp_s;
     }

@@ -157,6 +157,26 @@ TEST(SensorWatch, ASectorIsBlindWhenItShowsTooLittleForLongerThanTheLimit) {
     }
 }
 
+/// Fault after a second in which the right sector has no vectors, and `decided` of its 10 strips of the contact scan
+/// show floor or an obstacle.
+Fault fault_beside_strips(int decided) {
+    SensorWatch watch{SensorWatchParams()};
+    Fault fault;
+    for (int i = 0; i < 50; ++i) {
+        SensorReport report = report_at(i * field_s, FieldStatus::Ok, {60, 60, 60, 0});
+        report.bearings = {10, 10, 10, 10};
+        report.decided = {10, 10, 10, decided};
+        watch.sensed(report);
+        fault = watch.fault(i * field_s);
+    }
+    return fault;
+}
+
+TEST(SensorWatch, ASectorThatTheContactScanDecidesIsNotBlind) {
+    EXPECT_FALSE(fault_beside_strips(5));
+    EXPECT_EQ(fault_beside_strips(4).reason, GuardReason::SensorBlind);
+}
+
 TEST(SensorWatch, ASectorWithJustEnoughVectorsIsNotBlind) {
     Stream stream;
     EXPECT_FALSE(stream.feed(1.0, FieldStatus::Ok, {5, 60, 60, 60}));

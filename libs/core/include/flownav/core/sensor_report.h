@@ -22,6 +22,8 @@ struct SensorReport {
     double carried_s = 0.0;     ///< time since turn and speed were last both measured; 0: with this field
     std::array<int, sectors> blocks = {};     ///< blocks per strip, matched or not
     std::array<int, sectors> confident = {};  ///< blocks per strip that were matched unambiguously
+    std::array<int, sectors> bearings = {};   ///< strips of the contact scan here; 0: no scan speaks of now
+    std::array<int, sectors> decided = {};    ///< of these: with floor or an obstacle
 };
 
 }  // namespace flownav
