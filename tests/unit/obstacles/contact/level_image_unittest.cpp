@@ -79,7 +79,7 @@ TEST(LevelImage, LensRollAndYawAreTakenOut) {
     c.distortion[0] = -0.2;
     c.mount.roll_rad = 0.06;
     c.mount.yaw_rad = -0.05;
-    for (const Eigen::Vector2d at_px : {Eigen::Vector2d(220.5, 150.5), Eigen::Vector2d(90.5, 60.5)}) {
+    for (const Eigen::Vector2d& at_px : {Eigen::Vector2d(220.5, 150.5), Eigen::Vector2d(90.5, 60.5)}) {
         const Eigen::Vector2d seen = centre(level_image(spot(at_px), c));
         const Eigen::Vector2d ray = RayMapper(c).ray(at_px);
         EXPECT_NEAR(seen.x(), ray.x(), 0.004);
