@@ -85,6 +85,7 @@ double floor_share(const ContactScan& scan) {
 Eigen::AlignedBox2d floor_bounds(const ContactScan& scan, const Pose2& T_frame_robot,
                                  double unconfirmed_to_m) {
     Eigen::AlignedBox2d bounds;
+    if (scan.gate != ContactGate::Open || !(scan.view_near_m >= 0.0)) return bounds;
     for (int i = 0; i < static_cast<int>(scan.strips.size()); ++i) {
         const double to_m = std::max(floor_to_m(scan, i), looked_to_m(scan, i, unconfirmed_to_m));
         if (!(to_m > scan.view_near_m)) continue;

@@ -1,5 +1,8 @@
 #include "flownav/pipeline/pipeline.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "field_quality.h"
 #include "flownav/flow/matcher_registry.h"
 #include "flownav/obstacles/drops.h"
@@ -99,6 +102,8 @@ void State::Impl::restart(bool new_camera, double since_field_s) {
     record_start(step_, has_reference_);
     if (has_reference_) bridge_gap(since_field_s);
     obstacles::forget_images(contact_memory_);
+    contacts_ = {};
+    record_contacts(step_, contacts_, false);
     rates_ = {};
     begin_cycle();
 }
@@ -142,8 +147,9 @@ void State::Impl::scan_contacts(const EgoMotion& motion) {
     if (!params_.obstacles.contacts.on) return;
     pitch_sum_rad_ += motion.pitch_rad;
     const double way_error = motion.sigma_forward_m / std::max(std::abs(motion.forward_m), 1e-6);
-    const obstacles::CycleEnd end{newest_.field.image, newest_.mapper, T_start_robot_,
-                                  pitch_sum_rad_,      way_error,      motion.forward_measured};
+    const obstacles::CycleEnd end{newest_.field.image, newest_.mapper,
+                                  T_start_robot_,      pitch_sum_rad_,
+                                  way_error,           motion.forward_measured && motion.omega_measured};
     const bool is_new = obstacles::scan_cycle(contact_memory_, end, params_.obstacles.contacts, contacts_);
     if (is_new) {
         T_start_scan_ = T_start_robot_;
@@ -210,7 +216,7 @@ void State::Impl::new_layout() {
     layout_ = flow::place_blocks(newest_.mapper, params_.flow);
     coarse_layout_ = flow::every_nth(layout_, coarse_step);
     reset(classes_, layout_.size());
-    obstacles::restart(contact_memory_, newest_.mapper);
+    if (params_.obstacles.contacts.on) obstacles::restart(contact_memory_, newest_.mapper);
     surroundings_.scan = obstacles::scan_layout(newest_.mapper, params_.obstacles);
     record_layout(step_, layout_.size(), surroundings_.scan);
 }

@@ -11,6 +11,7 @@ constexpr double scan_way_m = 0.3;
 constexpr double scan_turn_rad = 0.3;
 
 int sector_of(double share_across) {
+    if (!(share_across >= 0.0 && share_across <= 1.0)) return 0;
     return std::clamp(static_cast<int>(share_across * SensorReport::sectors), 0, SensorReport::sectors - 1);
 }
 
@@ -25,7 +26,7 @@ void count_strips(const ContactScan& scan, const CameraModel& camera, SensorRepo
     const double per_tangent = camera.fx_px * std::cos(camera.mount.pitch_rad);
     for (int i = 0; i < static_cast<int>(scan.strips.size()); ++i) {
         const double across = (camera.cx_px + per_tangent * middle_tangent(scan, i)) / camera.width_px;
-        if (across < 0.0 || across > 1.0) continue;
+        if (!(across >= 0.0 && across <= 1.0)) continue;
         ++report.bearings[sector_of(across)];
         report.decided[sector_of(across)] +=
             scan.strips[static_cast<std::size_t>(i)].kind != BeamKind::Unknown;

@@ -146,19 +146,20 @@ bool is_ahead(const HeldThing& thing, const Pose2& T_start_robot, const ContactS
 }
 
 /// Enters a thing into the strips of the cone that it covers.
-void enter(const HeldThing& thing, const Pose2& T_start_robot, ContactScan& out) {
+void enter(const HeldThing& thing, const Pose2& T_start_robot, double range_max_m, ContactScan& out) {
     const Vector2d at = seen_from(out, T_start_robot, thing.place_m);
     const double forward_m = at.x();
-    if (forward_m <= 0.2) return;
+    if (forward_m <= 0.2 || forward_m > range_max_m) return;
     const double right = at.y() / forward_m;
     const double half = std::max(0.08 / forward_m, 0.5 * strip_tangent);
     for (int i = 0; i < static_cast<int>(out.strips.size()); ++i) {
         const double middle = middle_tangent(out, i);
         if (std::abs(middle - right) > half + 0.5 * strip_tangent - 1e-6) continue;
         ContactStrip& strip = out.strips[static_cast<std::size_t>(i)];
-        if (strip.kind == BeamKind::Obstacle && strip.cause == BeamCause::Wall && strip.contact_m < forward_m)
-            continue;
-        set_obstacle(strip, BeamCause::Votes, forward_m, forward_m - thing.near_m, forward_m + thing.far_m);
+        const bool is_nearer = strip.kind == BeamKind::Obstacle && strip.contact_m < forward_m;
+        if (is_nearer && (strip.cause != BeamCause::Votes || forward_m >= held_below_m)) continue;
+        set_obstacle(strip, BeamCause::Votes, forward_m, std::max(0.1, forward_m - thing.near_m),
+                     forward_m + thing.far_m);
     }
 }
 
@@ -195,6 +196,23 @@ void take_part(const LevelImage& newer, const std::vector<float>& votes, std::ve
         sides.begin() + static_cast<std::ptrdiff_t>(usual_percentile * static_cast<double>(sides.size() - 1));
     std::nth_element(sides.begin(), at, sides.end());
     part.usual = *at;
+}
+
+/// Holds what stands out of the votes of the newest pair and those before it, in two scans at one place.
+void look_for_thing(ConeMemory& memory, const Pose2& T_start_robot, const ContactScan& scan) {
+    const Accumulated sum = count_pairs(memory);
+    std::optional<HeldThing> now;
+    if (sum.pairs >= pairs_min) {
+        const Best best = find_best(memory, sum, scan, memory.sums);
+        if (best.score > 1.0)
+            now = HeldThing{place_of(scan, T_start_robot, best.forward_m, best.right),
+                            best.forward_m - best.near_m, best.far_m - best.forward_m, T_start_robot};
+    }
+    if (now && memory.candidate) {
+        const double forward_m = seen_from(scan, T_start_robot, now->place_m).x();
+        if ((now->place_m - memory.candidate->place_m).norm() < same_place * forward_m) memory.held = now;
+    }
+    memory.candidate = now;
 }
 
 }  // namespace
@@ -245,25 +263,13 @@ void take_votes(const LevelImage& newer, const ContactVotes& votes, std::vector<
     take_part(newer, votes.steep, sides, out, out.steep);
 }
 
-void decide_cone(ConeMemory& memory, const Pose2& T_start_robot, ContactScan& out) {
-    const Accumulated sum = count_pairs(memory);
-    std::optional<HeldThing> now;
-    if (sum.pairs >= pairs_min) {
-        const Best best = find_best(memory, sum, out, memory.sums);
-        if (best.score > 1.0)
-            now = HeldThing{place_of(out, T_start_robot, best.forward_m, best.right),
-                            best.forward_m - best.near_m, best.far_m - best.forward_m, T_start_robot};
-    }
-    if (now && memory.candidate) {
-        const double forward_m = transform(inverse(T_start_robot), now->place_m).x() - out.camera_m.x();
-        if ((now->place_m - memory.candidate->place_m).norm() < same_place * forward_m) memory.held = now;
-    }
-    memory.candidate = now;
+void decide_cone(ConeMemory& memory, const Pose2& T_start_robot, bool has_new_pair, double range_max_m,
+                 ContactScan& out) {
+    if (has_new_pair) look_for_thing(memory, T_start_robot, out);
     if (memory.held && (way_m(memory.held->seen_from, T_start_robot) > held_way_m ||
                         !is_ahead(*memory.held, T_start_robot, out)))
         memory.held.reset();
-    if (!memory.held) return;
-    enter(*memory.held, T_start_robot, out);
+    if (memory.held) enter(*memory.held, T_start_robot, range_max_m, out);
 }
 
 }  // namespace flownav::obstacles

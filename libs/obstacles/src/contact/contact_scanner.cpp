@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <limits>
 
 #include "flownav/core/plane_geometry.h"
 #include "flownav/obstacles/strip_grid.h"
@@ -21,33 +21,56 @@ constexpr double vignetting_step = 0.01;  // images are corrected anew when it h
 constexpr double noise_min = 0.4;
 constexpr double noise_max = 6.0;
 constexpr double turn_max_rad = 0.6;  // between the images of a scan
+constexpr double in_view_m = 2.0;     // a strip is seen when its floor was compared nearer than this
 constexpr double way_error_min = 0.015;
+constexpr double way_error_max = 0.05;
 constexpr double own_share = 0.15;   // of the votes of three strips: those of the middle one
 constexpr int confirming_scans = 2;  // so many scans back
 constexpr double same_place_m = 0.2;
-constexpr double same_place_share = 0.12;  // of the distance
-constexpr int informative_min = 200;       // pixels of the near floor that can tell whether it is one
-constexpr double flat_surface = 0.12;      // largest relative step of range between the ends of one surface
-constexpr int hole_strips = 2;             // most strips inside a surface without votes
-constexpr double one_surface = 0.3;        // largest relative step of range between strips of one surface
+constexpr double same_place_share = 0.12;     // of the distance
+constexpr double informative_share = 0.0026;  // of all pixels: so many can tell whether the near floor is one
+constexpr double flat_surface = 0.12;  // largest relative step of range between the ends of one surface
+constexpr int hole_strips = 2;         // most strips inside a surface without votes
+constexpr double one_surface = 0.3;    // largest relative step of range between strips of one surface
 
-/// Learns fall-off and noise from the comparison: the first scans count fully, later ones little.
-void learn(ContactMemory& memory) {
-    const FloorComparison& c = memory.comparison;
+/// What one comparison tells about lens and noise.
+struct Lesson {
+    double vignetting = 0.0;
+    double noise = 0.0;
+};
+
+Lesson lesson_of(const ContactMemory& memory) {
+    return {memory.keys[0].image.vignetting + memory.comparison.vignetting, memory.comparison.noise};
+}
+
+/// Learns fall-off and noise: the first scan counts fully, later ones little.
+void learn(ContactMemory& memory, const Lesson& lesson) {
     const double gain = std::max(learning_min, 1.0 / (1.0 + memory.scans));
-    const double measured = memory.keys[0].image.vignetting + c.vignetting;
     memory.vignetting =
-        std::clamp(memory.vignetting + gain * (measured - memory.vignetting), 0.0, vignetting_max);
-    memory.noise = std::clamp(memory.noise + gain * (c.noise - memory.noise), noise_min, noise_max);
+        std::clamp(memory.vignetting + gain * (lesson.vignetting - memory.vignetting), 0.0, vignetting_max);
+    memory.noise = std::clamp(memory.noise + gain * (lesson.noise - memory.noise), noise_min, noise_max);
+    const double change = std::abs(memory.vignetting - memory.keys[0].image.vignetting);
+    if (memory.scans > 0 && change < vignetting_step) return;
     for (int i = 0; i < memory.keys.size(); ++i) take_out_vignetting(memory.keys[i].image, memory.vignetting);
+}
+
+/// True when floor of the strip was compared near the camera.
+bool is_in_view(const LevelImage& image, const StripGrid& grid, const std::vector<FloorCell>& cells,
+                int strip) {
+    for (int cell = grid.cells - 1; cell * cell_rows > grid.top_row; --cell) {
+        if (cell_floor_m(image.camera, cell) > in_view_m) return false;
+        if (cells[grid.index(cell, strip)].compared > 0) return true;
+    }
+    return false;
 }
 
 void gather_evidence(const KeyImage& newer, const ContactParams& params, ContactMemory& memory) {
     const StripGrid grid = strip_grid(newer.image);
     memory.evidence.assign(static_cast<std::size_t>(grid.strips), StripEvidence{});
     for (int s = 0; s < grid.strips; ++s) {
-        memory.evidence[static_cast<std::size_t>(s)].votes =
-            best_contact(newer.image, memory.votes.all, s, params.range_min_m, params.range_max_m);
+        StripEvidence& strip = memory.evidence[static_cast<std::size_t>(s)];
+        strip.votes = best_contact(newer.image, memory.votes.all, s, params.range_min_m, params.range_max_m);
+        strip.is_seen = is_in_view(newer.image, grid, memory.comparison.cells, s);
     }
     find_floor_ends(newer.image, memory.comparison.cells, memory.missing, memory.evidence);
     find_walls(newer.image, memory.comparison.cells, params.range_max_m, memory.evidence);
@@ -135,7 +158,7 @@ void decide_floor(const ContactMemory& memory, ContactScan& out) {
             const ContactStrip& near = out.strips[static_cast<std::size_t>(k)];
             if (near.kind == BeamKind::Obstacle) end_m = std::min(end_m, near.near_m);
         }
-        strip.seen = true;
+        strip.seen = memory.evidence[static_cast<std::size_t>(s)].is_seen;
         strip.free_m = end_m;
         if (strip.kind == BeamKind::Unknown && end_m > 0.0) strip.kind = BeamKind::Free;
     }
@@ -143,7 +166,9 @@ void decide_floor(const ContactMemory& memory, ContactScan& out) {
 
 void begin_scan(const LevelImage& image, const CameraMount& mount, ContactScan& out) {
     const StripGrid grid = strip_grid(image);
-    out.view_near_m = image.camera.floor_m(grid.cells * cell_rows - 1);
+    const int last_row = grid.cells * cell_rows - 1;
+    out.view_near_m = image.camera.below_horizon(last_row) > 0.0 ? image.camera.floor_m(last_row)
+                                                                 : std::numeric_limits<double>::infinity();
     out.first = grid.first;
     out.step = strip_tangent;
     out.camera_m = {mount.forward_m, mount.left_m};
@@ -177,7 +202,8 @@ FittedPair fit_pair(const KeyImage& reference, const KeyImage& newer, const Cycl
     FittedPair pair;
     pair.measured = pair_motion(reference, newer, cycle.mapper.camera().mount);
     PairPrior prior;
-    prior.forward_m = std::max(way_error_min, cycle.way_error) * std::abs(pair.measured.forward_m) + 1e-4;
+    prior.forward_m =
+        std::clamp(cycle.way_error, way_error_min, way_error_max) * std::abs(pair.measured.forward_m) + 1e-4;
     prior.right_m = 0.008 * std::abs(pair.measured.forward_m) + 1e-4;
     pair.fitted =
         register_floor(reference.image, newer.image, pair.measured, prior, memory.noise, memory.registration);
@@ -186,37 +212,49 @@ FittedPair fit_pair(const KeyImage& reference, const KeyImage& newer, const Cycl
 }
 
 /// Compares the newest key image with that before it.
+FittedPair compare_short_pair(ContactMemory& memory, const CycleEnd& cycle) {
+    const LevelImage& reference = memory.keys[1].image;
+    const LevelImage& newer = memory.keys[0].image;
+    choose_floor_pixels(newer, memory.noise, memory.registration);
+    const FittedPair pair = fit_pair(memory.keys[1], memory.keys[0], cycle, memory);
+    compare_with_floor(reference, newer, pair.warp, memory.noise, {0, strip_grid(newer).strips},
+                       memory.comparison);
+    return pair;
+}
+
+/// Fills memory.evidence from the newest key image and that before it.
 void scan_short_pair(ContactMemory& memory, const CycleEnd& cycle, const ContactParams& params,
                      ContactScan& out) {
-    const KeyImage& reference = memory.keys[1];
-    const KeyImage& newer = memory.keys[0];
-    const StripRange all{0, strip_grid(newer.image).strips};
-    choose_floor_pixels(newer.image, memory.noise, memory.registration);
-    const FittedPair pair = fit_pair(reference, newer, cycle, memory);
-    compare_with_floor(reference.image, newer.image, pair.warp, memory.noise, all, memory.comparison);
     if (memory.scans == 0) {
-        learn(memory);
-        compare_with_floor(reference.image, newer.image, pair.warp, memory.noise, all, memory.comparison);
+        compare_short_pair(memory, cycle);
+        learn(memory, lesson_of(memory));
     }
+    const FittedPair pair = compare_short_pair(memory, cycle);
+    const LevelImage& newer = memory.keys[0].image;
     out.floor = floor_fit(pair.measured, pair.fitted, memory);
-    vote_for_contacts(reference.image, newer.image, pair.warp, memory.comparison, memory.noise, all,
-                      memory.votes);
-    gather_evidence(newer, params, memory);
-    learn(memory);
+    vote_for_contacts(memory.keys[1].image, newer, pair.warp, memory.comparison, memory.noise,
+                      {0, strip_grid(newer).strips}, memory.votes);
+    gather_evidence(memory.keys[0], params, memory);
+}
+
+double turn_rad(const KeyImage& a, const KeyImage& b) {
+    return std::abs(wrap_angle(a.T_start_robot.yaw_rad - b.T_start_robot.yaw_rad));
 }
 
 /// Index of the key image nearest to, but not under, the way of a long pair; 0: none.
 int long_reference(const KeyImages& keys) {
     for (int i = 1; i < keys.size(); ++i)
-        if (way_m(keys[i].T_start_robot, keys[0].T_start_robot) >= cone_travel_m) return i;
+        if (way_m(keys[i].T_start_robot, keys[0].T_start_robot) >= cone_travel_m)
+            return turn_rad(keys[i], keys[0]) < turn_max_rad ? i : 0;
     return 0;
 }
 
-/// Compares the newest key image with one half a metre back, for the strips straight ahead.
-void scan_long_pair(ContactMemory& memory, const CycleEnd& cycle) {
+/// Compares the newest key image with one half a metre back, for the strips straight ahead; false: there is
+/// none.
+bool scan_long_pair(ContactMemory& memory, const CycleEnd& cycle) {
     const KeyImage& newer = memory.keys[0];
     const int back = long_reference(memory.keys);
-    if (back == 0) return;
+    if (back == 0) return false;
     const KeyImage& reference = memory.keys[back];
     const StripGrid grid = strip_grid(newer.image);
     const FittedPair pair = fit_pair(reference, newer, cycle, memory);
@@ -226,28 +264,37 @@ void scan_long_pair(ContactMemory& memory, const CycleEnd& cycle) {
                       memory.votes);
     take_votes(newer.image, memory.votes, memory.cone.sides,
                push_cone_votes(memory.cone, newer.T_start_robot));
+    return true;
 }
 
-/// Most of the near floor that could tell moves as a floor does. Too little that could tell is no objection.
-bool is_floor_believed(const FloorComparison& comparison, const ContactParams& params) {
-    return comparison.near_informative < informative_min || comparison.fit_share >= params.fit_share_min;
+/// True unless most pixels of the near floor that could tell do not move as a floor does. Few pixels that
+/// could tell are no objection, as long as floor is in view.
+bool is_floor_believed(const ContactMemory& memory, const ContactParams& params) {
+    const LevelImage& image = memory.keys[0].image;
+    const double least = informative_share * image.width * image.height;
+    const auto is_seen = [](const StripEvidence& strip) { return strip.is_seen; };
+    if (std::none_of(memory.evidence.begin(), memory.evidence.end(), is_seen)) return false;
+    return memory.comparison.near_informative < least || memory.comparison.fit_share >= params.fit_share_min;
 }
 
 void scan_pair(ContactMemory& memory, const CycleEnd& cycle, const ContactParams& params, ContactScan& out) {
     scan_short_pair(memory, cycle, params, out);
-    ++memory.scans;
-    forget_old(memory);
-    if (!is_floor_believed(memory.comparison, params)) {
+    if (!is_floor_believed(memory, params)) {
         out.gate = ContactGate::PoorFloor;
+        memory.earlier.clear();
         forget_pairs(memory.cone);
         return;
     }
+    const Lesson lesson = lesson_of(memory);
+    ++memory.scans;
+    forget_old(memory);
     out.gate = ContactGate::Open;
     decide_obstacles(memory, memory.keys[0].T_start_robot, params, out);
-    scan_long_pair(memory, cycle);
-    decide_cone(memory.cone, memory.keys[0].T_start_robot, out);
+    const bool has_long_pair = scan_long_pair(memory, cycle);
+    decide_cone(memory.cone, memory.keys[0].T_start_robot, has_long_pair, params.range_max_m, out);
     fill_holes(out);
     decide_floor(memory, out);
+    learn(memory, lesson);
 }
 
 /// Room for the largest scan of a camera, so that no scan allocates.
@@ -284,23 +331,25 @@ PairMotion pair_motion(const KeyImage& reference, const KeyImage& newer, const C
 void restart(ContactMemory& memory, const RayMapper& mapper) {
     memory.mapping = LevelMapping(mapper);
     memory.scans = 0;
-    memory.earlier.clear();
+    memory.noise = ContactMemory{}.noise;
+    memory.vignetting = 0.0;
     forget_images(memory);
     reserve(memory, mapper.camera());
 }
 
 void forget_images(ContactMemory& memory) {
     memory.keys.keep(0);
+    memory.earlier.clear();
     forget_pairs(memory.cone);
 }
 
 bool scan_cycle(ContactMemory& memory, const CycleEnd& cycle, const ContactParams& params, ContactScan& out) {
-    if (!cycle.way_known) memory.keys.keep(0);
-    if (memory.keys.size() > 0 &&
-        way_m(memory.keys[0].T_start_robot, cycle.T_start_robot) < params.travel_m) {
-        const double turn = cycle.T_start_robot.yaw_rad - memory.keys[0].T_start_robot.yaw_rad;
-        if (std::abs(wrap_angle(turn)) < turn_max_rad) return false;
-        memory.keys.keep(0);
+    if (!cycle.way_known) forget_images(memory);
+    if (memory.keys.size() > 0) {
+        const Pose2& before = memory.keys[0].T_start_robot;
+        const double turn = std::abs(wrap_angle(cycle.T_start_robot.yaw_rad - before.yaw_rad));
+        if (turn < turn_max_rad && way_m(before, cycle.T_start_robot) < params.travel_m) return false;
+        if (turn >= turn_max_rad) forget_images(memory);
     }
     KeyImage& newer = memory.keys.push();
     memory.mapping.apply(cycle.image, cycle.mapper, newer.image);

@@ -15,9 +15,10 @@ using Parameters = Eigen::Matrix<double, 7, 1>;
 using Pixel = RegistrationScratch::Pixel;
 
 constexpr int tile_px = 8;  // one pixel a tile: the one with the strongest gradient
-constexpr int pixels_min = 60;
+constexpr std::size_t pixels_min = 24;
 constexpr double gradient_min = 0.6;  // grey levels a pixel at noise 0.82
 constexpr double tukey_cut = 3.0;
+constexpr double errors_max = 5.0;  // standard errors by which a correction may differ from none
 constexpr double distance_max_m = 8.0;
 
 Parameters vector_of(const PairMotion& m) {
@@ -34,7 +35,7 @@ PairMotion motion_of(const Parameters& q) {
 void choose_pixels(const LevelImage& image, double noise, std::vector<Pixel>& out) {
     out.clear();
     const double first = image.camera.row_of(image.camera.height_m / distance_max_m);
-    const int top = std::max(2, static_cast<int>(std::ceil(first)));
+    const int top = static_cast<int>(std::clamp(std::ceil(first), 2.0, std::max(2.0, 1.0 * image.height)));
     const double least = std::max(gradient_min, noise);
     for (int v0 = top; v0 + tile_px < image.height - 1; v0 += tile_px) {
         for (int u0 = 2; u0 + tile_px < image.width - 1; u0 += tile_px) {
@@ -146,7 +147,8 @@ PairMotion register_floor(const LevelImage& reference, const LevelImage& newer, 
     for (const double blur_px : {1.0, 0.5, 0.25, 0.25}) {
         if (!improve(reference, newer, q0, weight, noise, blur_px, q, scratch)) return measured;
     }
-    return motion_of(q);
+    const bool is_near = ((q - q0).array().abs() < errors_max * sigma.array()).all();
+    return is_near ? motion_of(q) : measured;
 }
 
 }  // namespace flownav::obstacles

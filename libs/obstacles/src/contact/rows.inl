@@ -84,7 +84,7 @@ inline void costs_of(const CostRow& r, int begin, int end, const float* __restri
         const float e = now[u] - gain * before[u] - offset[u];
         const float c = smaller(e * e / (2.0F * (noise2 + t2 * steep2)), cost_max);
         const float displacement2 = larger(displacement2_min, displacement2_per_tolerance2 * t2);
-        const int compared = e == e ? compared_bit : 0;
+        const int compared = (e == e) & (g2 == g2) ? compared_bit : 0;
         const int misfit = c > misfit_cost ? misfit_bit : 0;
         const int floor = c < floor_cost ? floor_bit : 0;
         const int informative = (parallax > parallax_min) & (g2 > gradient2_min) &

@@ -22,7 +22,7 @@ StripGrid strip_grid(const LevelImage& image) {
     const double horizon = std::ceil(c.row_of(0.0));
     const double top = std::ceil(c.row_of(c.height_m / floor_max_m));
     grid.horizon_row = static_cast<int>(std::clamp(horizon, -1e4, 1e4));
-    grid.top_row = static_cast<int>(std::clamp(top, 1.0, static_cast<double>(image.height)));
+    grid.top_row = static_cast<int>(std::clamp(top, 1.0, std::max(1.0, static_cast<double>(image.height))));
     return grid;
 }
 

@@ -45,14 +45,11 @@ double presence(const StripGrid& grid, const std::vector<FloorCell>& cells, int 
 
 double floor_end_m(const LevelImage& image, const StripGrid& grid, const std::vector<FloorCell>& cells,
                    const std::vector<double>& missing, int strip) {
-    int cell = grid.cells - 1;
     const int top = grid.top_row / cell_rows + 1;
-    while (cell >= top && cells[grid.index(cell, strip)].compared == 0) --cell;
-    if (cell < top) return 0.0;
     double end_m = 0.0;
-    double reached_m = image.camera.floor_m(cell * cell_rows + cell_rows - 1);
+    double reached_m = image.camera.floor_m(grid.cells * cell_rows - 1);  // lower border of the view
     double lacking = 0.0;
-    for (; cell >= top; --cell) {
+    for (int cell = grid.cells - 1; cell >= top; --cell) {
         const FloorCell& c = cells[grid.index(cell, strip)];
         const double far_m = image.camera.floor_m(cell * cell_rows);
         if (is_floor(c)) {
@@ -60,7 +57,7 @@ double floor_end_m(const LevelImage& image, const StripGrid& grid, const std::ve
             lacking = 0.0;
             continue;
         }
-        lacking += missing[static_cast<std::size_t>(cell)];
+        if (c.compared > 0) lacking += missing[static_cast<std::size_t>(cell)];
         if (c.not_floor >= floor_min && c.not_floor > c.floor) lacking += contradiction;
         if (lacking > missing_max || far_m - reached_m > gap_share * std::max(1.0, far_m)) break;
     }

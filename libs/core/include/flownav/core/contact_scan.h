@@ -33,7 +33,7 @@ struct FloorFit {
     double tilt_pitch_rad = 0.0;  ///< slope of the floor along the heading
     double tilt_roll_rad = 0.0;   ///< slope of the floor across the heading
     double fit_share = 0.0;       ///< of the informative pixels of the near floor: those that fit
-    double vignetting = 0.0;      ///< learnt fall-off of brightness at unit distance from the middle
+    double vignetting = 0.0;      ///< learnt fall-off of brightness at the corner of the image
 };
 
 /// Content of one strip of bearings. All distances are FORWARD distances from the camera along the heading.

@@ -63,7 +63,9 @@ void reserve(ConeMemory& memory, std::size_t cells);
 void take_votes(const LevelImage& newer, const ContactVotes& votes, std::vector<float>& sides,
                 ConeVotes& out);
 
-/// Adds up the votes of the last 0.7 m at each place of the cone and enters what stands out as obstacles.
-void decide_cone(ConeMemory& memory, const Pose2& T_start_robot, ContactScan& out);
+/// With a new pair, adds up the votes of the last 0.7 m at each place of the cone and holds what stands out.
+/// Enters what is held, up to `range_max_m`, as an obstacle.
+void decide_cone(ConeMemory& memory, const Pose2& T_start_robot, bool has_new_pair, double range_max_m,
+                 ContactScan& out);
 
 }  // namespace flownav::obstacles

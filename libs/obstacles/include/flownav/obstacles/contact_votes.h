@@ -33,7 +33,7 @@ float contact_score(const StripGrid& grid, const std::vector<float>& votes, int 
 
 /// The best contact of one strip.
 struct Contact {
-    double forward_m = 0.0;  ///< middle of the scores above 85 % of the best
+    double forward_m = 0.0;  ///< middle of the scores above 93 % of the best
     double near_m = 0.0;     ///< their ends
     double far_m = 0.0;
     double score = 0.0;  ///< of three strips and three cells; 0: none
