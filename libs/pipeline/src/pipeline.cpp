@@ -102,7 +102,8 @@ void State::Impl::restart(bool new_camera, double since_field_s) {
     record_start(step_, has_reference_);
     if (has_reference_) bridge_gap(since_field_s);
     obstacles::forget_images(contact_memory_);
-    contacts_ = {};
+    contacts_.gate = ContactGate::Off;
+    contacts_.strips.clear();
     record_contacts(step_, contacts_, false);
     rates_ = {};
     begin_cycle();
@@ -216,7 +217,13 @@ void State::Impl::new_layout() {
     layout_ = flow::place_blocks(newest_.mapper, params_.flow);
     coarse_layout_ = flow::every_nth(layout_, coarse_step);
     reset(classes_, layout_.size());
-    if (params_.obstacles.contacts.on) obstacles::restart(contact_memory_, newest_.mapper);
+    if (params_.obstacles.contacts.on) {
+        obstacles::restart(contact_memory_, newest_.mapper);
+        contacts_.strips.reserve(obstacles::strips_max);
+        step_.contacts.strips.reserve(obstacles::strips_max);
+        short_blocks_.floor_points_m.reserve(layout_.size());
+        short_blocks_.sorted_m.reserve(layout_.size());
+    }
     surroundings_.scan = obstacles::scan_layout(newest_.mapper, params_.obstacles);
     record_layout(step_, layout_.size(), surroundings_.scan);
 }

@@ -302,9 +302,10 @@ void reserve(ContactMemory& memory, const CameraModel& camera) {
     const auto half = [](int px) { return static_cast<std::size_t>(px / 2); };
     const std::size_t pixels = half(camera.width_px) * half(camera.height_px);
     memory.keys.reserve(pixels);
-    memory.comparison.unsorted.reserve(pixels);
-    memory.comparison.misfits.reserve(pixels);
-    memory.comparison.ratios.reserve(pixels / 16 + half(camera.width_px));
+    reserve(memory.comparison, half(camera.width_px), half(camera.height_px));
+    reserve(memory.votes, half(camera.height_px));
+    memory.evidence.reserve(strips_max);
+    memory.missing.reserve(half(camera.height_px) / cell_rows + 1);
     memory.registration.pixels.reserve(pixels / 64 + 1);
     memory.registration.residuals.reserve(pixels / 64 + 1);
     memory.registration.sorted.reserve(pixels / 64 + 1);

@@ -121,6 +121,19 @@ void add_up(const StripGrid& grid, const std::vector<FloorCell>& cells, int stri
 
 }  // namespace
 
+void reserve(ContactVotes& votes, std::size_t height) {
+    const std::size_t cells = height / cell_rows + 1;
+    votes.all.reserve(strips_max * cells);
+    votes.steep.reserve(strips_max * cells);
+    votes.candidates.reserve(cells);
+    votes.inverse.reserve(cells);
+    votes.row_weight.reserve(cells);
+    votes.shares.reserve(strips_max);
+    votes.votes.reserve(cells * cells);
+    votes.steep_votes.reserve(cells * cells);
+    votes.sums.reserve(2 * cells);
+}
+
 void vote_for_contacts(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
                        const FloorComparison& comparison, double noise, const StripRange& strips,
                        ContactVotes& out) {

@@ -290,6 +290,24 @@ void make_room(const Pair& pair, FloorComparison& out) {
 
 }  // namespace
 
+void reserve(FloorComparison& comparison, std::size_t width, std::size_t height) {
+    const std::size_t pixels = width * height;
+    const std::size_t tiles = (width / tile_px + 1) * (height / tile_px + 1);
+    comparison.cells.reserve(strips_max * (height / cell_rows + 1));
+    comparison.misfits.reserve(pixels);
+    comparison.warped.reserve(pixels);
+    comparison.offset.reserve(tiles);
+    comparison.offset_pixels.reserve(tiles);
+    comparison.unsorted.reserve(pixels);
+    comparison.count.reserve(strips_max + 1);
+    comparison.ratios.reserve((width / sparse_px + 1) * (height / sparse_px + 1));
+    comparison.row_offset.reserve(width);
+    comparison.row_cost.reserve(width);
+    comparison.row_steepness2.reserve(width);
+    comparison.row_properties.reserve(width);
+    comparison.property_counts.reserve(strips_max * static_cast<std::size_t>(rows::combinations));
+}
+
 void compare_with_floor(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
                         double noise, const StripRange& strips, FloorComparison& out) {
     const Pair pair{reference, newer, warp, strip_grid(newer), strips, static_cast<float>(noise)};

@@ -21,6 +21,9 @@ struct ContactVotes {
     std::vector<float> sums;
 };
 
+/// Room for images of this height, so that no vote allocates.
+void reserve(ContactVotes& votes, std::size_t height);
+
 /// Lets every pixel of `comparison` that does not move as the floor vote for the cells below it: a pixel that
 /// moves as an upright surface at that contact votes for it, one that does not votes against it; floor that
 /// is seen between contact and pixel votes against it too. `noise`: as in compare_with_floor().

@@ -52,6 +52,9 @@ struct FloorComparison {
     std::vector<std::uint16_t> property_counts;
 };
 
+/// Room for images of this size, so that no comparison allocates.
+void reserve(FloorComparison& comparison, std::size_t width, std::size_t height);
+
 /// Compares every pixel of the strips that could show floor with the place in the reference from which `warp`
 /// says the floor came. `noise`: standard deviation of differences of grey levels.
 void compare_with_floor(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,

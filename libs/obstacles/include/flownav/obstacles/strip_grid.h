@@ -10,6 +10,8 @@ constexpr double strip_tangent = 0.05;  ///< width of a strip of bearings, as ta
 constexpr int cell_rows = 4;            ///< rows of a cell
 constexpr double floor_max_m = 8.0;     ///< floor farther away is not compared
 
+constexpr int strips_max = 122;  ///< of any camera: tangents up to 3 on either side
+
 /// Cells of the image: strips of bearings, which are vertical in the world, times groups of rows.
 struct StripGrid {
     int first = 0;  ///< strip i covers the tangents (first + i) * strip_tangent to the right and up
