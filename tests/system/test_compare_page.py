@@ -137,7 +137,8 @@ class ComparePage(unittest.TestCase):
     # ---- what is shown
 
     def test_everything_is_drawn_and_nothing_is_fetched(self):
-        expected = {"ways", "difference", "a", "b", "omega_radps", "v_mps", "obstacles", "confident", "inliers"}
+        expected = {"ways", "difference", "a", "b", "omega_radps", "v_mps", "obstacles", "confident", "inliers",
+                    "strips_free", "strips_obstacle"}
         for fragment in ("#id=drive", "#id=other"):
             self.open(fragment)
             drawn = dict(self.run_script(DRAWN))
@@ -173,7 +174,7 @@ class ComparePage(unittest.TestCase):
         self.open(page="same.html")
         self.assertIn("every figure is the same", self.text("body > p"))
         self.assertEqual(self.text("#overview"), "")
-        self.assertEqual(len(self.run_script(DRAWN)), 9)
+        self.assertEqual(len(self.run_script(DRAWN)), 11)
 
     def test_runs_with_figures_only_say_so(self):
         self.open("#id=drive", "figures.html")

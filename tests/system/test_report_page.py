@@ -141,7 +141,7 @@ class ReportPage(unittest.TestCase):
         second = self.time()
         self.assertGreater(second, first + 1)
         cursors = self.run_script(CURSORS)
-        self.assertEqual(len(cursors), 7)
+        self.assertEqual(len(cursors), 9)
         for x in cursors:
             self.assertAlmostEqual(x, cursors[0], delta=1.5)
         for before, after in zip(robots, self.robots()):

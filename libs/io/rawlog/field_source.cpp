@@ -6,7 +6,7 @@ namespace flownav::io {
 
 std::optional<ReplayEvent> FieldSource::next() {
     auto event = order_.pop();
-    while (!event && !finished_) {
+    while (!event && !finished_ && !error_) {
         advance();
         event = order_.pop();
     }
@@ -27,10 +27,9 @@ void FieldSource::advance() {
         }
     } catch (const config::ConfigError&) {
         error_ = std::current_exception();
-        finished_ = true;
     }
     while (const auto event = maker_.next()) order_.push(*event);
-    if (finished_) order_.flush();
+    if (finished_ || error_) order_.flush();
 }
 
 }  // namespace flownav::io
