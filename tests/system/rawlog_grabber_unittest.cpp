@@ -139,7 +139,7 @@ TEST_F(RawlogGrabber, WritesWhatRawlogEditReads) {
     grab("grabber_type = rawlog\nrawlog_file = " + corridor + "\n");
     const Outcome info = run_program(FLOWNAV_RAWLOG_EDIT, {"--info", "-i", grabbed_file()}, folder);
     EXPECT_EQ(info.status, 0) << info.error;
-    EXPECT_TRUE(has(info.out, "FLOW_ODOMETRY, FLOW_POINTS, FLOW_SCAN, ODOMETRY")) << info.out;
+    EXPECT_TRUE(has(info.out, "FLOW_ODOMETRY, FLOW_POINTS, FLOW_POSE, FLOW_SCAN, ODOMETRY")) << info.out;
 }
 
 TEST_F(RawlogGrabber, KeepsWhatADamagedRawlogHeldAndSaysWhy) {

@@ -83,6 +83,7 @@ void CFlowObstacleSensor::evaluate(const Field& field, Batch& batch) {
         batch.push_back(io::image_observation(field, settings_.config.camera.camera_label));
     }
     add(batch, io::odometry_observation(step), "_ODOMETRY");
+    add(batch, io::pose_observation(step), "_POSE");
     if (!step.end_of_cycle) return;
     add(batch, io::scan_observation(step, settings_.config.pipeline.obstacles.range_max_m), "_SCAN");
     add(batch, io::points_observation(step), "_POINTS");

@@ -19,8 +19,8 @@ struct EndOfInput : std::runtime_error {
 };
 
 /// The optic-flow obstacle sensor as a driver of MRPT: `rawlog-grabber -p libflownav-sensor.so grabber.ini`.
-/// Publishes FLOW_ODOMETRY for every field, and FLOW_SCAN and FLOW_POINTS at the end of a cycle. Keys of its
-/// section of the ini (share/grabber.ini is an example):
+/// Publishes FLOW_ODOMETRY and FLOW_POSE for every field, and FLOW_SCAN and FLOW_POINTS at the end of a
+/// cycle. Keys of its section of the ini (share/grabber.ini is an example):
 ///
 ///     driver         CFlowObstacleSensor
 ///     process_rate   calls a second; must exceed the field rate, as each call evaluates one field at most
