@@ -9,6 +9,7 @@ nav::SensorUpdate sensor_update_of(const pipeline::Step& step, const Field& fiel
     nav::SensorUpdate update;
     update.report = pipeline::sensor_report(step, field.camera);
     update.report.repeated = images.is_repeated(field.image);
+    update.report.unlit = pipeline::unlit_sectors(field.image);
     update.report.timestamp_s -= epoch_s;
     if (step.status == FieldStatus::Ok) update.T_start_robot = step.T_start_robot;
     if (step.end_of_cycle) {

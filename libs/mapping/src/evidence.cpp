@@ -13,6 +13,7 @@ constexpr double seen_obstacle = 0.36;  // by a point that is surely in its cell
 // By a contact of the scan: less than by a point, because its range is less sure, and enough for the guard.
 constexpr double seen_contact = 0.38;
 constexpr double says_nothing = 0.5;
+constexpr double seen_nothing = 0.55;  // by a scan that would have seen most things there, and saw none
 constexpr double seen_floor = 0.57;  // weaker: a block of floor before a thin leg says little about the leg
 
 /// A point whose range is uncertain by more than half a cell says less about that one cell.
@@ -39,7 +40,7 @@ void add_floor(const GridFrame& frame, const Vector2d& near, const Vector2d& far
     for (int i = 0; i <= steps; ++i) {
         for (int k = 0; k <= side_steps; ++k) {
             const Vector2d p = near + along * share(i, steps) + across * (share(k, side_steps) - 0.5);
-            const Evidence floor{frame.cell_of(p), seen_floor};
+            const Evidence floor{frame.cell_of(p), seen_floor, false};
             if (evidence.empty() || !(evidence.back() == floor)) evidence.push_back(floor);
         }
     }
@@ -52,20 +53,23 @@ void add_point(const GridFrame& frame, const Vector2d& p, double p_free_there,
     const double half_m = frame.cell_m / 2;
     for (const double dx : {-half_m, half_m})
         for (const double dy : {-half_m, half_m})
-            evidence.push_back({frame.cell_of(p + Vector2d(dx, dy)), says_nothing});
-    evidence.push_back({frame.cell_of(p), p_free_there});
+            evidence.push_back({frame.cell_of(p + Vector2d(dx, dy)), says_nothing, false});
+    evidence.push_back({frame.cell_of(p), p_free_there, false});
 }
 
 /// Contacts are obstacles at the near ends of their intervals. Rims are left to RimMemory. Floor is free up
-/// to the nearest obstacle of its strip and the strips beside it; a strip that is unknown says nothing.
+/// to the nearest obstacle of its strip and the strips beside it. Where neither floor nor a thing is seen, an
+/// obstacle is doubted.
 void add_contacts(const GridFrame& frame, const ContactScan& scan, const Pose2& T_frame_robot,
                   std::vector<Evidence>& evidence) {
     for_each_contact(scan, T_frame_robot, frame.cell_m / 2, [&](BeamCause cause, const Vector2d& p) {
         if (cause != BeamCause::Drop) add_point(frame, p, seen_contact, evidence);
     });
-    for_each_floor_cell(scan, T_frame_robot, frame, 0.0, [&](const Eigen::Vector2i& cell, FloorSight) {
-        evidence.push_back({cell, seen_floor});
-    });
+    const auto add_sight = [&](const Eigen::Vector2i& cell, FloorSight sight) {
+        const bool is_floor = sight == FloorSight::Confirmed;
+        evidence.push_back({cell, is_floor ? seen_floor : seen_nothing, !is_floor});
+    };
+    for_each_floor_cell(scan, T_frame_robot, frame, looked_through, add_sight);
 }
 
 }  // namespace

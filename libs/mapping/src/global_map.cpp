@@ -34,7 +34,7 @@ void make_room(COccupancyGridMap2D& grid, const ObstacleSet& set, double half_m)
     for (const GroundPatch& patch : set.ground) include(transform(set.T_map_robot, patch.far_m));
     for_each_contact(set.contacts, set.T_map_robot, grid.getResolution(),
                      [&](BeamCause, const Vector2d& p) { include(p); });
-    const Eigen::AlignedBox2d floor = floor_bounds(set.contacts, set.T_map_robot, 0.0);
+    const Eigen::AlignedBox2d floor = floor_bounds(set.contacts, set.T_map_robot, {});
     if (!floor.isEmpty()) include(floor.min());
     if (!floor.isEmpty()) include(floor.max());
     const auto beyond = [half_m](double wanted, double has, double sign) {
@@ -68,8 +68,12 @@ void GlobalMap::insert(const ObstacleSet& set) {
         grid_.setCell(cell.x(), cell.y(), static_cast<float>(p_free));
     };
     for (const Vector2d& p_m : rims_.removed_m()) set_cell(p_m, 0.5);
-    for (const Evidence& e : evidence_)
+    for (const Evidence& e : evidence_) {
+        if (e.at_most_unknown && !(grid_.getCell(e.cell.x(), e.cell.y()) < 0.5F)) continue;
         grid_.updateCell(e.cell.x(), e.cell.y(), static_cast<float>(e.p_free));
+        if (e.at_most_unknown && grid_.getCell(e.cell.x(), e.cell.y()) > 0.5F)
+            grid_.setCell(e.cell.x(), e.cell.y(), 0.5F);
+    }
     for (const Rim& rim : rims_.rims()) set_cell(rims_.frame().middle_of(rim.cell), p_free_of_rim);
 }
 

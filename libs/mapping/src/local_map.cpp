@@ -71,7 +71,8 @@ void LocalMap::insert(const ObstacleSet& set) {
     remembered.entries.clear();
     for (const Evidence& e : evidence_) {
         if ((e.cell - middle).cwiseAbs().maxCoeff() >= cells_.side() / 2) continue;
-        remembered.entries.push_back({e.cell, add({e.cell, thousandths(e.p_free)})});
+        const int limit = e.at_most_unknown ? 0 : log_odds_max;
+        remembered.entries.push_back({e.cell, add({e.cell, thousandths(e.p_free)}, limit)});
     }
     note_movers(set);
     redraw(set.T_map_robot);
@@ -134,10 +135,10 @@ int LocalMap::log_odds(const Vector2i& cell) const {
     return sum ? sum->log_odds : 0;
 }
 
-int LocalMap::add(const Entry& entry) {
+int LocalMap::add(const Entry& entry, int limit) {
     Sum& sum = cells_.claim(entry.cell, {0, sets_});
     const int before = sum.log_odds;
-    sum.log_odds = std::min(before + entry.log_odds, std::max(before, log_odds_max));
+    sum.log_odds = std::min(before + entry.log_odds, std::max(before, limit));
     return sum.log_odds - before;
 }
 

@@ -15,6 +15,8 @@ using Eigen::Vector2i;
 
 constexpr double deep_inside_m = 0.05;    // an obstacle this far inside the footprint is none
 constexpr double floor_share_max = 0.97;  // no scan is sure to see the floor
+constexpr int scans_through_min = 3;      // that saw nothing where an obstacle is remembered
+constexpr int scans_min = 2;              // that looked at ground without texture
 
 /// -log of the chance that a scan misses floor in a strip: large where most strips show floor, 0 where the
 /// floor has no texture.
@@ -73,7 +75,17 @@ void GroundMemory::note(const ContactScan& scan, double time_s, const Pose2& T_m
             known.doubt = 0.0;
         }
     };
-    for_each_floor_cell(scan, T_map_robot, cells_.frame(), params_.unconfirmed_within_m, note_sight);
+    for_each_floor_cell(scan, T_map_robot, cells_.frame(), {0.0, params_.unconfirmed_within_m}, note_sight);
+    for_each_floor_cell(scan, T_map_robot, cells_.frame(), looked_through, [&](const Vector2i& cell, FloorSight) {
+        look_through(cell, time_s);
+    });
+}
+
+/// Forgets an obstacle that the map no longer shows after some scans in a row saw nothing there.
+void GroundMemory::look_through(const Vector2i& cell, double time_s) {
+    if (at(cell, time_s) != Ground::Occupied) return;
+    Known& known = cells_.claim(cell);
+    if (++known.scans >= scans_through_min) known = {};
 }
 
 void GroundMemory::note_unconfirmed(const Vector2i& cell, double doubt, double time_s) {
@@ -82,6 +94,7 @@ void GroundMemory::note_unconfirmed(const Vector2i& cell, double doubt, double t
     Known& known = cells_.claim(cell);
     if (time_s <= known.confirmed_until_s) return;
     known.doubt = time_s <= known.until_s ? known.doubt + doubt : doubt;
+    known.scans = time_s <= known.until_s ? known.scans + 1 : 1;
     known.ground =
         known.doubt > -std::log(params_.unconfirmed_chance) ? Ground::Unconfirmed : Ground::Unknown;
     known.until_s = time_s + params_.unconfirmed_s;
@@ -154,6 +167,12 @@ bool GroundMemory::is_unconfirmed(const Vector2d& at_m, double time_s) const {
         return at(Vector2i(cell + side), time_s) == Ground::Free &&
                at(Vector2i(cell - side), time_s) == Ground::Free;
     });
+}
+
+bool GroundMemory::is_scanned(const Vector2d& at_m, double time_s) const {
+    const Vector2i cell = cells_.frame().cell_of(at_m);
+    const Known* const known = cells_.find(cell);
+    return known && known->scans >= scans_min && at(cell, time_s) == Ground::Unknown && time_s <= known->until_s;
 }
 
 bool GroundMemory::is_confirmed(const Vector2d& at_m, double time_s) const {

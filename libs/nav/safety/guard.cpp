@@ -17,17 +17,6 @@ MotionCommand scaled(const MotionCommand& command, double share) {
     return {command.v_mps * share, command.omega_radps * share};
 }
 
-/// True when all strips within 7 degrees of the heading were in view.
-bool is_ahead_seen(const ContactScan& scan) {
-    bool any = false;
-    for (std::size_t i = 0; i < scan.strips.size(); ++i) {
-        if (std::abs(middle_tangent(scan, static_cast<int>(i))) > cone_tangent) continue;
-        if (!scan.strips[i].seen) return false;
-        any = true;
-    }
-    return any;
-}
-
 bool needs_probe(GuardReason reason) {
     return reason == GuardReason::SensorFrozen || reason == GuardReason::OdometryContradiction;
 }
@@ -64,8 +53,6 @@ void Guard::scanned(const ContactScan& scan, double time_s, const Pose2& T_map_r
     has_scans_ = true;
     if (scan.gate != ContactGate::Open) return;
     ground_.note(scan, time_s, T_map_robot);
-    // A scan shows what stands ahead on floor without texture too: the robot may crawl on.
-    if (proposal_ && proposal_->command.v_mps > 0.0 && is_ahead_seen(scan)) crept_m_ = 0.0;
 }
 
 void Guard::proposed(double time_s, const MotionCommand& command) {
@@ -177,10 +164,12 @@ Fault Guard::objection(const Surroundings& now, const MotionCommand& candidate) 
         return {GuardReason::UnconfirmedAhead,
                 "ground on the way was in view and was not confirmed as floor"};
     }
+    const bool slow = fast_mps <= params_.collision_checker.unconfirmed_mps + rounding_m;
+    if (ahead.unseen && !ahead.unscanned && slow && !probing_since_s_) return {};
     return ahead.unseen ? objection_to_unseen(crawls) : objection_to_speed(now, candidate);
 }
 
-/// Why the robot may not drive over ground that it has not seen; empty when it may crawl on.
+/// Why the robot may not drive over ground that it has neither seen nor scanned; empty when it may crawl on.
 Fault Guard::objection_to_unseen(bool crawls) const {
     if (!crawls) return {GuardReason::UnseenAhead, "ground on the way has not been seen"};
     if (probing_since_s_ || crept_m_ >= params_.crawl_max_m) {
@@ -217,9 +206,9 @@ SafetyDecision Guard::allow(const Surroundings& now, const MotionCommand& wanted
 }
 
 SafetyDecision Guard::sent(const Surroundings& now, const SafetyDecision& safety) {
-    // Counts as creeping what may lead over unseen ground.
+    // Counts as creeping what may lead over ground that was neither seen nor scanned.
     over_unseen_ = collision_checker_.outline_mps(safety.command) > 0.0 &&
-                   collision_checker_.forecast(ground_, now, sent_, safety.command, hold_s_).unseen;
+                   collision_checker_.forecast(ground_, now, sent_, safety.command, hold_s_).unscanned;
     sent_.push_back({now.time_s, safety.command});
     // The last one before the delay is still in force.
     while (sent_.size() > 1 &&

@@ -11,6 +11,12 @@ int sum(const std::array<int, SensorReport::sectors>& counts) {
     return std::accumulate(counts.begin(), counts.end(), 0);
 }
 
+/// True when other sensors tell the motion and contact scans see: floor and things without texture.
+bool is_told(const SensorReport& report) {
+    return report.scans && report.sees_edges && report.carried_s == 0.0 &&
+           report.status != FieldStatus::BadField && report.status != FieldStatus::Waiting;
+}
+
 }  // namespace
 
 void SensorWatch::sensed(const SensorReport& report) {
@@ -19,6 +25,10 @@ void SensorWatch::sensed(const SensorReport& report) {
     newest_ = report;
     arrived_ = true;
     if (report.status == FieldStatus::Lost) last_seen_s_ = report.timestamp_s;
+    if (is_told(report)) {
+        last_ok_s_ = last_seen_s_ = report.timestamp_s;
+        note_sectors(report);
+    }
     if (report.status != FieldStatus::Ok) return;
     if (sum(report.confident) >= params_.confident_min) {
         last_ok_s_ = last_seen_s_ = report.timestamp_s;
@@ -30,7 +40,9 @@ void SensorWatch::note_sectors(const SensorReport& report) {
     for (std::size_t i = 0; i < report.blocks.size(); ++i) {
         const bool few_blocks = report.confident[i] < params_.sector_share * report.blocks[i];
         const bool few_strips = report.bearings[i] == 0 || 2 * report.decided[i] < report.bearings[i];
-        const bool blind = few_blocks && few_strips;
+        // Something without texture is in view when light comes and scans look for such things.
+        const bool dark = report.unlit[i] || !report.scans;
+        const bool blind = few_blocks && few_strips && dark;
         if (!blind) blind_since_s_[i].reset();
         if (blind && !blind_since_s_[i]) blind_since_s_[i] = report.timestamp_s;
     }

@@ -133,7 +133,10 @@ void State::Impl::compare(double since_last_s) {
     classify(step_.blocks, cycle_, layout_, params_.obstacles, classes_);
     record_labels(step_, classes_);
     advance(accepted, integrated, plan);
-    if (!plan.ends) return;
+    if (!plan.ends) {
+        continue_scan();
+        return;
+    }
     if (accepted.status == FieldStatus::Ok)
         others_.compare(reference_.field.timestamp_s, newest_.field.timestamp_s, measured_.estimate.motion);
     scan_contacts(accepted.motion);
@@ -143,22 +146,31 @@ void State::Impl::compare(double since_last_s) {
     end_cycle(accepted.motion);
 }
 
-/// Scans the newest field, which ends a cycle of this motion, for contacts.
+/// Does a part of the contact scan under way, so that no field pays for all of it, and publishes a whole one.
+void State::Impl::continue_scan() {
+    if (!obstacles::continue_scan(contact_memory_, params_.obstacles.contacts, contacts_)) return;
+    T_start_scan_ = T_start_next_scan_;
+    obstacles::mark_drops(short_blocks_.floor_points_m, short_blocks_.sorted_m, contacts_);
+    contacts_.T_robot_scan = compose(inverse(T_start_robot_), T_start_scan_);
+    record_contacts(step_, contacts_, true);
+}
+
+/// Begins to scan the newest field, which ends a cycle of this motion, for contacts.
 void State::Impl::scan_contacts(const EgoMotion& motion) {
     if (!params_.obstacles.contacts.on) return;
+    while (obstacles::is_scanning(contact_memory_)) continue_scan();
     pitch_sum_rad_ += motion.pitch_rad;
     const double way_error = motion.sigma_forward_m / std::max(std::abs(motion.forward_m), 1e-6);
     const obstacles::CycleEnd end{newest_.field.image, newest_.mapper,
                                   T_start_robot_,      pitch_sum_rad_,
                                   way_error,           motion.forward_measured && motion.omega_measured};
-    const bool is_new = obstacles::scan_cycle(contact_memory_, end, params_.obstacles.contacts, contacts_);
-    if (is_new) {
-        T_start_scan_ = T_start_robot_;
+    if (obstacles::begin_scan(contact_memory_, end, params_.obstacles.contacts)) {
+        T_start_next_scan_ = T_start_robot_;
         find_short_blocks({step_.blocks, classes_, cycle_, reference_, newest_, contacts_}, short_blocks_);
-        obstacles::mark_drops(short_blocks_.floor_points_m, short_blocks_.sorted_m, contacts_);
+        continue_scan();
     }
     contacts_.T_robot_scan = compose(inverse(T_start_robot_), T_start_scan_);
-    record_contacts(step_, contacts_, is_new);
+    record_contacts(step_, contacts_, step_.new_contacts);
 }
 
 /// Keeps the results of a field for the next one.

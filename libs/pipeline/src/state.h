@@ -37,6 +37,7 @@ class State::Impl {
     void restart(bool new_camera, double since_field_s);
     void compare(double since_last_s);
     void scan_contacts(const EgoMotion& motion);
+    void continue_scan();
     void advance(const AcceptedMotion& accepted, const IntegratedMotion& integrated, const CyclePlan& plan);
     void end_cycle(const EgoMotion& motion);
     void begin_cycle();
@@ -76,7 +77,8 @@ class State::Impl {
     Reconstruction surroundings_;
     obstacles::ContactMemory contact_memory_;
     ContactScan contacts_;  ///< of the last scan
-    Pose2 T_start_scan_;
+    Pose2 T_start_scan_;       ///< of contacts_
+    Pose2 T_start_next_scan_;  ///< of the scan under way
     ShortBlocks short_blocks_;
     double pitch_sum_rad_ = 0.0;  ///< of all ended cycles
     OtherSensors others_;         ///< wheels and gyro

@@ -18,19 +18,19 @@ constexpr double side_tangent_max = 0.6;
 constexpr double usual_percentile = 0.3;
 constexpr double accumulated_m = 0.7;  // way over which votes are added up
 constexpr int pairs_min = 3;
-constexpr float score_limit = 400.0F;  // of one pair
+constexpr float score_limit = 160.0F;  // of one pair
 constexpr double nearest_m = 1.3;      // long pairs cannot place a contact that is nearer
 constexpr double farthest_m = 4.5;
 constexpr double held_below_m = 1.45;  // nearer: the held place is the answer
 constexpr double held_way_m = 1.2;     // a place is held over this way
 constexpr double same_place = 0.25;    // of the distance, between two scans
 constexpr double plateau_share = 0.85;
-constexpr double steep_min = 25.0;   // score of steep edges that is an alarm
+constexpr double steep_min = 14.0;   // score of steep edges that is an alarm
 constexpr double steep_ratio = 8.0;  // and its ratio to that of the sides,
-constexpr double steep_usual_min = 2.0;
-constexpr double all_min = 50.0;  // the same of all edges
+constexpr double steep_usual_min = 0.8;
+constexpr double all_min = 30.0;  // the same of all edges
 constexpr double all_ratio = 11.0;
-constexpr double all_usual_min = 5.0;
+constexpr double all_usual_min = 2.0;
 
 bool is_in_cone(double right) {
     return std::abs(right) < cone_tangent;

@@ -25,6 +25,7 @@ constexpr double in_view_m = 2.0;     // a strip is seen when its floor was comp
 constexpr double way_error_min = 0.015;
 constexpr double way_error_max = 0.05;
 constexpr double own_share = 0.15;   // of the votes of three strips: those of the middle one
+constexpr double sure_from_m = 1.0;  // nearer, no contact is believed that was not seen before
 constexpr int confirming_scans = 2;  // so many scans back
 constexpr double same_place_m = 0.2;
 constexpr double same_place_share = 0.12;     // of the distance
@@ -33,18 +34,15 @@ constexpr double flat_surface = 0.12;  // largest relative step of range between
 constexpr int hole_strips = 2;         // most strips inside a surface without votes
 constexpr double one_surface = 0.3;    // largest relative step of range between strips of one surface
 
-/// What one comparison tells about lens and noise.
-struct Lesson {
-    double vignetting = 0.0;
-    double noise = 0.0;
-};
-
-Lesson lesson_of(const ContactMemory& memory) {
-    return {memory.keys[0].image.vignetting + memory.comparison.vignetting, memory.comparison.noise};
+/// Keeps what the newest comparison tells about lens and noise.
+void take_lesson(ContactMemory& memory) {
+    memory.work.vignetting = memory.keys[0].image.vignetting + memory.comparison.vignetting;
+    memory.work.noise = memory.comparison.noise;
 }
 
 /// Learns fall-off and noise: the first scan counts fully, later ones little.
-void learn(ContactMemory& memory, const Lesson& lesson) {
+void learn(ContactMemory& memory) {
+    const ScanInWork& lesson = memory.work;
     const double gain = std::max(learning_min, 1.0 / (1.0 + memory.scans));
     memory.vignetting =
         std::clamp(memory.vignetting + gain * (lesson.vignetting - memory.vignetting), 0.0, vignetting_max);
@@ -54,14 +52,19 @@ void learn(ContactMemory& memory, const Lesson& lesson) {
     for (int i = 0; i < memory.keys.size(); ++i) take_out_vignetting(memory.keys[i].image, memory.vignetting);
 }
 
-/// True when floor of the strip was compared near the camera.
+/// True when floor of the strip was compared near the camera, and the strip shows an edge somewhere: what
+/// shows none may be anything.
 bool is_in_view(const LevelImage& image, const StripGrid& grid, const std::vector<FloorCell>& cells,
                 int strip) {
-    for (int cell = grid.cells - 1; cell * cell_rows > grid.top_row; --cell) {
-        if (cell_floor_m(image.camera, cell) > in_view_m) return false;
-        if (cells[grid.index(cell, strip)].compared > 0) return true;
+    bool floor = false;
+    bool edge = false;
+    for (int cell = grid.cells - 1; cell >= 0 && !(floor && edge); --cell) {
+        const FloorCell& c = cells[grid.index(cell, strip)];
+        edge |= has_edge(c);
+        const bool is_near = cell * cell_rows > grid.top_row && cell_floor_m(image.camera, cell) <= in_view_m;
+        floor |= is_near && c.compared > 0;
     }
-    return false;
+    return floor && edge;
 }
 
 void gather_evidence(const KeyImage& newer, const ContactParams& params, ContactMemory& memory) {
@@ -118,7 +121,8 @@ void decide_obstacles(ContactMemory& memory, const Pose2& T_start_robot, const C
             const Vector2d place_m = place_of(out, T_start_robot, forward_m, middle_tangent(out, s));
             const bool before = was_seen_before(memory, known, place_m, forward_m);
             memory.earlier.push_back({place_m, memory.scans});
-            if (before || e.votes.score > params.score_sure)
+            const bool is_sure = e.votes.score > params.score_sure && forward_m > sure_from_m;
+            if (before || is_sure)
                 set_obstacle(strip, BeamCause::Votes, forward_m, e.votes.near_m, e.votes.far_m);
         }
         if (e.wall_m > 0.0 && (strip.kind != BeamKind::Obstacle || e.wall_m < strip.contact_m))
@@ -164,7 +168,7 @@ void decide_floor(const ContactMemory& memory, ContactScan& out) {
     }
 }
 
-void begin_scan(const LevelImage& image, const CameraMount& mount, ContactScan& out) {
+void begin(const LevelImage& image, const CameraMount& mount, ContactScan& out) {
     const StripGrid grid = strip_grid(image);
     const int last_row = grid.cells * cell_rows - 1;
     out.view_near_m = image.camera.below_horizon(last_row) > 0.0 ? image.camera.floor_m(last_row)
@@ -190,20 +194,15 @@ FloorFit floor_fit(const PairMotion& measured, const PairMotion& fitted, const C
     return fit;
 }
 
-/// Motion of a pair by odometry, and the same with the floor registered.
-struct FittedPair {
-    PairMotion measured;
-    PairMotion fitted;
-    PairWarp warp;
-};
-
-FittedPair fit_pair(const KeyImage& reference, const KeyImage& newer, const CycleEnd& cycle,
-                    ContactMemory& memory) {
+/// Registers the floor of the newest key image with that of key image `back`.
+FittedPair fit_pair(ContactMemory& memory, int back) {
+    const KeyImage& reference = memory.keys[back];
+    const KeyImage& newer = memory.keys[0];
     FittedPair pair;
-    pair.measured = pair_motion(reference, newer, cycle.mapper.camera().mount);
+    pair.measured = pair_motion(reference, newer, memory.work.mount);
     PairPrior prior;
     prior.forward_m =
-        std::clamp(cycle.way_error, way_error_min, way_error_max) * std::abs(pair.measured.forward_m) + 1e-4;
+        std::clamp(memory.work.way_error, way_error_min, way_error_max) * std::abs(pair.measured.forward_m) + 1e-4;
     prior.right_m = 0.008 * std::abs(pair.measured.forward_m) + 1e-4;
     pair.fitted =
         register_floor(reference.image, newer.image, pair.measured, prior, memory.noise, memory.registration);
@@ -211,30 +210,26 @@ FittedPair fit_pair(const KeyImage& reference, const KeyImage& newer, const Cycl
     return pair;
 }
 
-/// Compares the newest key image with that before it.
-FittedPair compare_short_pair(ContactMemory& memory, const CycleEnd& cycle) {
-    const LevelImage& reference = memory.keys[1].image;
-    const LevelImage& newer = memory.keys[0].image;
-    choose_floor_pixels(newer, memory.noise, memory.registration);
-    const FittedPair pair = fit_pair(memory.keys[1], memory.keys[0], cycle, memory);
-    compare_with_floor(reference, newer, pair.warp, memory.noise, {0, strip_grid(newer).strips},
-                       memory.comparison);
-    return pair;
+void register_pair(ContactMemory& memory) {
+    choose_floor_pixels(memory.keys[0].image, memory.noise, memory.registration);
+    memory.work.pair = fit_pair(memory, 1);
 }
 
-/// Fills memory.evidence from the newest key image and that before it.
-void scan_short_pair(ContactMemory& memory, const CycleEnd& cycle, const ContactParams& params,
-                     ContactScan& out) {
-    if (memory.scans == 0) {
-        compare_short_pair(memory, cycle);
-        learn(memory, lesson_of(memory));
-    }
-    const FittedPair pair = compare_short_pair(memory, cycle);
+/// Compares the newest key image with that before it.
+void compare_pair(ContactMemory& memory) {
     const LevelImage& newer = memory.keys[0].image;
-    out.floor = floor_fit(pair.measured, pair.fitted, memory);
-    vote_for_contacts(memory.keys[1].image, newer, pair.warp, memory.comparison, memory.noise,
-                      {0, strip_grid(newer).strips}, memory.votes);
-    gather_evidence(memory.keys[0], params, memory);
+    compare_with_floor(memory.keys[1].image, newer, memory.work.pair.warp, memory.noise,
+                       {0, strip_grid(newer).strips}, memory.comparison);
+    count_edges_above_floor(newer, memory.noise, memory.comparison);
+    take_lesson(memory);
+}
+
+/// The first scan knows neither lens nor noise: compares twice.
+void compare_first_pair(ContactMemory& memory) {
+    compare_pair(memory);
+    learn(memory);
+    register_pair(memory);
+    compare_pair(memory);
 }
 
 double turn_rad(const KeyImage& a, const KeyImage& b) {
@@ -249,24 +244,6 @@ int long_reference(const KeyImages& keys) {
     return 0;
 }
 
-/// Compares the newest key image with one half a metre back, for the strips straight ahead; false: there is
-/// none.
-bool scan_long_pair(ContactMemory& memory, const CycleEnd& cycle) {
-    const KeyImage& newer = memory.keys[0];
-    const int back = long_reference(memory.keys);
-    if (back == 0) return false;
-    const KeyImage& reference = memory.keys[back];
-    const StripGrid grid = strip_grid(newer.image);
-    const FittedPair pair = fit_pair(reference, newer, cycle, memory);
-    const StripRange strips = side_strips(grid.first, grid.strips);
-    compare_with_floor(reference.image, newer.image, pair.warp, memory.noise, strips, memory.comparison);
-    vote_for_contacts(reference.image, newer.image, pair.warp, memory.comparison, memory.noise, strips,
-                      memory.votes);
-    take_votes(newer.image, memory.votes, memory.cone.sides,
-               push_cone_votes(memory.cone, newer.T_start_robot));
-    return true;
-}
-
 /// True unless most pixels of the near floor that could tell do not move as a floor does. Few pixels that
 /// could tell are no objection, as long as floor is in view.
 bool is_floor_believed(const ContactMemory& memory, const ContactParams& params) {
@@ -277,24 +254,54 @@ bool is_floor_believed(const ContactMemory& memory, const ContactParams& params)
     return memory.comparison.near_informative < least || memory.comparison.fit_share >= params.fit_share_min;
 }
 
-void scan_pair(ContactMemory& memory, const CycleEnd& cycle, const ContactParams& params, ContactScan& out) {
-    scan_short_pair(memory, cycle, params, out);
+/// Decides about the strips by the votes of the short pair; false when the floor is not believed.
+bool vote_of_pair(ContactMemory& memory, const ContactParams& params) {
+    ContactScan& scan = memory.work.scan;
+    const LevelImage& newer = memory.keys[0].image;
+    scan.floor = floor_fit(memory.work.pair.measured, memory.work.pair.fitted, memory);
+    vote_for_contacts(memory.keys[1].image, newer, memory.work.pair.warp, memory.comparison, memory.noise,
+                      {0, strip_grid(newer).strips}, memory.votes);
+    gather_evidence(memory.keys[0], params, memory);
     if (!is_floor_believed(memory, params)) {
-        out.gate = ContactGate::PoorFloor;
+        scan.gate = ContactGate::PoorFloor;
         memory.earlier.clear();
         forget_pairs(memory.cone);
-        return;
+        return false;
     }
-    const Lesson lesson = lesson_of(memory);
     ++memory.scans;
     forget_old(memory);
-    out.gate = ContactGate::Open;
-    decide_obstacles(memory, memory.keys[0].T_start_robot, params, out);
-    const bool has_long_pair = scan_long_pair(memory, cycle);
-    decide_cone(memory.cone, memory.keys[0].T_start_robot, has_long_pair, params.range_max_m, out);
-    fill_holes(out);
-    decide_floor(memory, out);
-    learn(memory, lesson);
+    scan.gate = ContactGate::Open;
+    decide_obstacles(memory, memory.keys[0].T_start_robot, params, scan);
+    return true;
+}
+
+/// Compares the newest key image with one half a metre back, for the strips straight ahead.
+void compare_ahead(ContactMemory& memory) {
+    memory.work.ahead = long_reference(memory.keys);
+    if (memory.work.ahead == 0) return;
+    const LevelImage& newer = memory.keys[0].image;
+    const StripGrid grid = strip_grid(newer);
+    memory.work.pair = fit_pair(memory, memory.work.ahead);
+    compare_with_floor(memory.keys[memory.work.ahead].image, newer, memory.work.pair.warp, memory.noise,
+                       side_strips(grid.first, grid.strips), memory.comparison);
+}
+
+void vote_ahead(ContactMemory& memory) {
+    if (memory.work.ahead == 0) return;
+    const KeyImage& newer = memory.keys[0];
+    const StripGrid grid = strip_grid(newer.image);
+    vote_for_contacts(memory.keys[memory.work.ahead].image, newer.image, memory.work.pair.warp,
+                      memory.comparison, memory.noise, side_strips(grid.first, grid.strips), memory.votes);
+    take_votes(newer.image, memory.votes, memory.cone.sides,
+               push_cone_votes(memory.cone, newer.T_start_robot));
+}
+
+void finish_scan(ContactMemory& memory, const ContactParams& params) {
+    ContactScan& scan = memory.work.scan;
+    decide_cone(memory.cone, memory.keys[0].T_start_robot, memory.work.ahead != 0, params.range_max_m, scan);
+    fill_holes(scan);
+    decide_floor(memory, scan);
+    learn(memory);
 }
 
 /// Room for the largest scan of a camera, so that no scan allocates.
@@ -311,6 +318,7 @@ void reserve(ContactMemory& memory, const CameraModel& camera) {
     memory.registration.sorted.reserve(pixels / 64 + 1);
     memory.registration.jacobians.reserve(pixels / 64 + 1);
     memory.earlier.reserve(1024);
+    memory.work.scan.strips.reserve(strips_max);
     reserve(memory.cone, half(camera.height_px) / cell_rows);
 }
 
@@ -339,12 +347,13 @@ void restart(ContactMemory& memory, const RayMapper& mapper) {
 }
 
 void forget_images(ContactMemory& memory) {
+    memory.work.next = ScanPart::None;
     memory.keys.keep(0);
     memory.earlier.clear();
     forget_pairs(memory.cone);
 }
 
-bool scan_cycle(ContactMemory& memory, const CycleEnd& cycle, const ContactParams& params, ContactScan& out) {
+bool begin_scan(ContactMemory& memory, const CycleEnd& cycle, const ContactParams& params) {
     if (!cycle.way_known) forget_images(memory);
     if (memory.keys.size() > 0) {
         const Pose2& before = memory.keys[0].T_start_robot;
@@ -358,9 +367,54 @@ bool scan_cycle(ContactMemory& memory, const CycleEnd& cycle, const ContactParam
                         memory.keys.size() > 1 ? memory.keys[1].image.vignetting : memory.vignetting);
     newer.T_start_robot = cycle.T_start_robot;
     newer.pitch_rad = cycle.pitch_rad;
-    begin_scan(newer.image, cycle.mapper.camera().mount, out);
-    out.gate = ContactGate::NoTravel;
-    if (memory.keys.size() > 1) scan_pair(memory, cycle, params, out);
+    memory.work.way_error = cycle.way_error;
+    memory.work.mount = cycle.mapper.camera().mount;
+    begin(newer.image, memory.work.mount, memory.work.scan);
+    memory.work.scan.gate = ContactGate::NoTravel;
+    memory.work.next = ScanPart::Register;
+    return true;
+}
+
+bool is_scanning(const ContactMemory& memory) {
+    return memory.work.next != ScanPart::None;
+}
+
+bool continue_scan(ContactMemory& memory, const ContactParams& params, ContactScan& out) {
+    const ScanPart part = memory.work.next;
+    memory.work.next = ScanPart::None;
+    switch (part) {
+        case ScanPart::None:
+            return false;
+        case ScanPart::Register:
+            if (memory.keys.size() < 2) break;
+            register_pair(memory);
+            memory.work.next = ScanPart::Compare;
+            return false;
+        case ScanPart::Compare:
+            memory.scans == 0 ? compare_first_pair(memory) : compare_pair(memory);
+            memory.work.next = ScanPart::Vote;
+            return false;
+        case ScanPart::Vote:
+            if (!vote_of_pair(memory, params)) break;
+            memory.work.next = ScanPart::CompareAhead;
+            return false;
+        case ScanPart::CompareAhead:
+            compare_ahead(memory);
+            memory.work.next = ScanPart::VoteAhead;
+            return false;
+        case ScanPart::VoteAhead:
+            vote_ahead(memory);
+            finish_scan(memory, params);
+            break;
+    }
+    out = memory.work.scan;
+    return true;
+}
+
+bool scan_cycle(ContactMemory& memory, const CycleEnd& cycle, const ContactParams& params, ContactScan& out) {
+    if (!begin_scan(memory, cycle, params)) return false;
+    while (!continue_scan(memory, params, out)) {
+    }
     return true;
 }
 

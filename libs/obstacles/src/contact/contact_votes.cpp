@@ -78,7 +78,7 @@ struct Voters {
 };
 
 /// Fills out.votes and out.steep_votes: a row for each cell of voters, a column for each candidate.
-void collect_votes(const LevelImage& reference, const PairWarp& warp, const FloorComparison& comparison,
+void collect_votes(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp, const FloorComparison& comparison,
                    double noise, const Voters& voters, ContactVotes& out) {
     const std::size_t columns = out.candidates.size();
     std::fill(out.votes.begin(), out.votes.end(), 0.0F);
@@ -86,7 +86,7 @@ void collect_votes(const LevelImage& reference, const PairWarp& warp, const Floo
     const std::size_t stride = 1 + (voters.end - voters.begin) / voters_max;
     std::size_t first = 0;  // candidate at or below the voter
     for (std::size_t i = voters.begin; i < voters.end; i += stride) {
-        const Misfit& pixel = comparison.misfits[i];
+        const Misfit pixel = misfit_at(comparison, newer, comparison.misfits[i]);
         const int own = pixel.v / cell_rows;
         while (first < columns && out.candidates[first] < own) ++first;
         if (first == columns) break;
@@ -145,16 +145,11 @@ void vote_for_contacts(const LevelImage& reference, const LevelImage& newer, con
     const std::size_t size = static_cast<std::size_t>(grid.cells) * out.candidates.size();
     out.votes.resize(size);
     out.steep_votes.resize(size);
-    Voters voters;
     for (int strip = strips.first; strip < strips.last; ++strip) {
-        voters.begin = voters.end;
-        while (voters.begin < comparison.misfits.size() && comparison.misfits[voters.begin].strip < strip)
-            ++voters.begin;
-        voters.end = voters.begin;
-        while (voters.end < comparison.misfits.size() && comparison.misfits[voters.end].strip == strip)
-            ++voters.end;
+        const auto of_strip = comparison.first_misfit.begin() + strip;
+        const Voters voters{of_strip[0], of_strip[1]};
         if (voters.begin == voters.end) continue;
-        collect_votes(reference, warp, comparison, noise, voters, out);
+        collect_votes(reference, newer, warp, comparison, noise, voters, out);
         add_up(grid, comparison.cells, strip, out.steep_votes, out, out.steep);
         for (std::size_t i = 0; i < size; ++i) out.votes[i] += out.steep_votes[i];
         add_up(grid, comparison.cells, strip, out.votes, out, out.all);
@@ -188,10 +183,10 @@ Contact best_contact(const LevelImage& newer, const std::vector<float>& votes, i
     if (best < 0) return contact;
     int near = best;
     int far = best;
-    const auto in_plateau = [&](int c) {
-        return cell_floor_m(newer.camera, c) >= range_min_m && score(c) > plateau_share * contact.score;
-    };
+    const auto in_plateau = [&](int c) { return score(c) > plateau_share * contact.score; };
     while (near + 1 < grid.cells && in_plateau(near + 1)) ++near;
+    // It may as well stand nearer than votes can place it.
+    if (cell_floor_m(newer.camera, near) < range_min_m) return {};
     while (far - 1 >= top && in_plateau(far - 1)) --far;
     contact.near_m = newer.camera.floor_m(near * cell_rows + cell_rows - 1);
     contact.far_m = newer.camera.floor_m(far * cell_rows);

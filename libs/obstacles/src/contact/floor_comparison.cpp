@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "flownav/math/order_statistic.h"
 #include "row_warp.h"
@@ -18,7 +19,8 @@ constexpr float offset_prior_px = 6.0F;  // pixels without a difference, added t
 constexpr double near_floor_m = 1.75;
 constexpr int samples_min = 100;      // costs that tell the noise
 constexpr double usual_cost = 0.227;  // median of the costs when the noise is right: that of chi^2 / 2
-constexpr int sparse_px = 4;          // spacing of the pixels that measure gain, fall-off and noise
+constexpr int sparse_px = 8;          // spacing of the pixels that measure gain and fall-off
+constexpr int noise_rows = 4;         // every fourth row measures the noise
 constexpr float dark_grey = 20.0F;    // darker pixels do not tell gain and fall-off
 constexpr double ratio_limit = 0.1;   // of brightness, from its median
 
@@ -100,43 +102,14 @@ int tiles_of(int pixels) {
     return (pixels + tile_px - 1) / tile_px;
 }
 
-/// Mean difference of brightness a tile, from every second pixel of every second row; large differences count
-/// as much as small ones.
-void measure_offsets(const Pair& pair, FloorComparison& out) {
-    const int columns = tiles_of(pair.newer.width);
-    const float limit = offset_clip_per_noise * pair.noise;
-    const auto gain = static_cast<float>(out.gain);
-    const auto tiles =
-        static_cast<std::size_t>(columns) * static_cast<std::size_t>(tiles_of(pair.newer.height));
-    out.offset.assign(tiles, 0.0F);
-    out.offset_pixels.assign(tiles, offset_prior_px / 4.0F);
-    for (int v = pair.first_row(); v < pair.last_row(); v += 2) {
-        const float* const before = row_of(out.warped, pair.newer, v);
-        const float* const now = pair.newer.row(v);
-        const Columns inside = columns_of(pair.grid, pair.newer, pair.strips, v);
-        const std::size_t row = static_cast<std::size_t>(v / tile_px) * static_cast<std::size_t>(columns);
-        for (int u = inside.begin; u < inside.end; u += 2) {
-            const float e = now[u] - gain * before[u];
-            if (e != e) continue;
-            const std::size_t tile = row + static_cast<std::size_t>(u / tile_px);
-            out.offset[tile] += std::min(std::max(e, -limit), limit);
-            out.offset_pixels[tile] += 1.0F;
-        }
-    }
-    for (std::size_t i = 0; i < tiles; ++i) out.offset[i] /= out.offset_pixels[i];
-}
-
-void fill_row(const Pair& pair, int v, const Columns& columns, FloorComparison& out) {
+rows::CostRow row_at(const Pair& pair, int v, FloorComparison& out) {
     const LevelImage& image = pair.newer;
-    const float* const tiles =
-        out.offset.data() + static_cast<std::ptrdiff_t>(v / tile_px) * tiles_of(image.width);
-    for (int u = 0; u < image.width; ++u) out.row_offset[static_cast<std::size_t>(u)] = tiles[u / tile_px];
-    rows::CostRow row;
+    rows::CostRow row{};
     row.above = image.row(v - 1);
     row.now = image.row(v);
     row.below = image.row(v + 1);
     row.before = row_of(out.warped, image, v);
-    row.offset = out.row_offset.data();
+    row.offset = out.offset.data() + static_cast<std::ptrdiff_t>(v / tile_px) * image.width;
     row.places = floor_places(pair.warp, v);
     row.v = static_cast<float>(v);
     row.w0 = static_cast<float>(pair.warp.floor[1] * v + pair.warp.floor[2]);
@@ -146,91 +119,88 @@ void fill_row(const Pair& pair, int v, const Columns& columns, FloorComparison& 
     row.bz = static_cast<float>(pair.warp.B[2]);
     row.gain = static_cast<float>(out.gain);
     row.noise = pair.noise;
-    row.cost = out.row_cost.data();
-    row.steepness2 = out.row_steepness2.data();
-    row.properties = out.row_properties.data();
-    rows::functions().costs(row, columns.begin, columns.end);
+    row.cost = row_of(out.cost, image, v);
+    row.steepness2 = row_of(out.steepness2, image, v);
+    row.counts = out.row_counts.data();
+    row.evidence = out.row_evidence.data();
+    return row;
 }
 
-/// Moves the counts of the pixels of one group of rows into its cells.
-void flush_counts(const Pair& pair, int cell, FloorComparison& out) {
-    for (int s = pair.strips.first; s < pair.strips.last; ++s) {
-        std::uint16_t* const counts =
-            out.property_counts.data() + static_cast<std::ptrdiff_t>(s) * rows::combinations;
-        FloorCell& c = out.cells[pair.grid.index(cell, s)];
-        for (int bits = 0; bits < rows::combinations; ++bits) {
-            const int n = counts[bits];
-            if (n == 0) continue;
-            const auto add = [n](std::uint16_t& sum, bool counted) {
-                if (counted) sum = static_cast<std::uint16_t>(sum + n);
-            };
-            const bool informative = (bits & rows::informative_bit) != 0;
-            add(c.pixels, (bits & rows::seen_bit) != 0);
-            add(c.edges, (bits & rows::edge_bit) != 0);
-            add(c.compared, (bits & rows::compared_bit) != 0);
-            add(c.misfits, (bits & rows::misfit_bit) != 0);
-            add(c.floor, informative && (bits & rows::floor_bit) != 0);
-            add(c.not_floor, informative && (bits & rows::misfit_bit) != 0);
-            counts[bits] = 0;
+/// Mean difference of brightness a tile, from every second row of pixels, repeated for each column; large
+/// differences count as much as small ones.
+void measure_offsets(const Pair& pair, FloorComparison& out) {
+    const int width = pair.newer.width;
+    const float limit = offset_clip_per_noise * pair.noise;
+    out.offset.assign(static_cast<std::size_t>(width * tiles_of(pair.newer.height)), 0.0F);
+    for (int v0 = pair.first_row() / tile_px * tile_px; v0 < pair.last_row(); v0 += tile_px) {
+        float* const sums = out.offset.data() + static_cast<std::ptrdiff_t>(v0 / tile_px) * width;
+        out.row_numbers.assign(static_cast<std::size_t>(width), 0.0F);
+        for (int v = std::max(v0, pair.first_row()); v < std::min(v0 + tile_px, pair.last_row()); v += 2) {
+            const Columns columns = columns_of(pair.grid, pair.newer, pair.strips, v);
+            rows::functions().differences(row_at(pair, v, out), limit, columns.begin, columns.end, sums,
+                                          out.row_numbers.data());
+        }
+        for (int u0 = 0; u0 < width; u0 += tile_px) {
+            float* const end = sums + std::min(u0 + tile_px, width);
+            const float sum = std::accumulate(sums + u0, end, 0.0F);
+            const float* const numbers = out.row_numbers.data();
+            const float number = std::accumulate(numbers + u0, numbers + (end - sums), offset_prior_px / 2);
+            std::fill(sums + u0, end, sum / number);
         }
     }
 }
 
-Misfit misfit_at(const Pair& pair, const FloorComparison& data, int u, int v, int strip) {
-    const float* const now = pair.newer.row(v) + u;
-    const float dx = now[1] - now[-1];
-    const float dy = now[pair.newer.width] - now[-pair.newer.width];
-    const auto gain = static_cast<float>(data.gain);
-    const auto i = static_cast<std::size_t>(u);
-    return {static_cast<std::int16_t>(u),
-            static_cast<std::int16_t>(v),
-            static_cast<std::int16_t>(strip),
-            std::abs(dx) >= std::abs(dy),
-            (now[0] - data.row_offset[i]) / gain,
-            data.row_steepness2[i],
-            data.row_cost[i]};
+/// Calls f(packed sum of at most 255 pixels) for the pixels begin to end - 1.
+template <typename F>
+void for_each_sum(const rows::Packed* values, int begin, int end, F f) {
+    constexpr int most = 255;
+    for (int from = begin; from < end; from += most)
+        f(std::accumulate(values + from, values + std::min(from + most, end), rows::Packed{0}));
+}
+
+void add_to(std::uint16_t& count, rows::Packed number) {
+    count = static_cast<std::uint16_t>(count + number);
+}
+
+void count_properties(const rows::Packed* counts, int begin, int end, FloorCell& cell) {
+    for_each_sum(counts, begin, end, [&](rows::Packed sum) {
+        add_to(cell.pixels, sum & 255U);
+        add_to(cell.edges, sum >> 8 & 255U);
+        add_to(cell.compared, sum >> 16 & 255U);
+        add_to(cell.misfits, sum >> 24);
+    });
+}
+
+void count_evidence(const rows::Packed* evidence, int begin, int end, FloorCell& cell) {
+    for_each_sum(evidence, begin, end, [&](rows::Packed sum) {
+        add_to(cell.floor, sum & 0xFFFFU);
+        add_to(cell.not_floor, sum >> 16);
+    });
 }
 
 /// Counts the properties of the pixels of a row and collects the pixels that do not fit.
 void count_row(const Pair& pair, int v, const Columns& columns, FloorComparison& out) {
-    const int* const properties = out.row_properties.data();
-    for_each_strip(pair.grid, pair.newer, pair.strips, v, [&](int strip, int begin, int end) {
-        std::uint16_t* const counts =
-            out.property_counts.data() + static_cast<std::ptrdiff_t>(strip) * rows::combinations;
-        for (int u = std::max(begin, columns.begin); u < std::min(end, columns.end); ++u) {
-            ++counts[properties[u]];
-            if ((properties[u] & rows::misfit_bit) != 0)
-                out.unsorted.push_back(misfit_at(pair, out, u, v, strip));
-        }
-    });
-}
-
-/// Rows without floor: edges only.
-void count_edges(const Pair& pair, int v, FloorComparison& out) {
-    const float edge = rows::edge_per_noise * pair.noise;
-    const float edge2 = edge * edge;
-    const float* const now = pair.newer.row(v);
-    const int width = pair.newer.width;
-    for_each_strip(pair.grid, pair.newer, pair.strips, v, [&](int strip, int begin, int end) {
+    const rows::Packed* const counts = out.row_counts.data();
+    for_each_strip(pair.grid, pair.newer, pair.strips, v, [&](int strip, int first, int last) {
+        const int begin = std::max(first, columns.begin);
+        const int end = std::min(last, columns.end);
         FloorCell& cell = out.cells[pair.grid.index(v / cell_rows, strip)];
-        for (int u = std::max(begin, 1); u < std::min(end, width - 1); ++u) {
-            const float gx = 0.5F * (now[u + 1] - now[u - 1]);
-            const float gy = 0.5F * (now[u + width] - now[u - width]);
-            const float g2 = gx * gx + gy * gy;
-            if (g2 == g2) ++cell.pixels;
-            if (g2 > 1.5F * edge2) ++cell.edges;
-        }
+        const int before = cell.misfits;
+        count_properties(counts, begin, end, cell);
+        count_evidence(out.row_evidence.data(), begin, end, cell);
+        if (cell.misfits == before) return;
+        for (int u = begin; u < end; ++u)
+            if ((counts[u] & rows::misfit_one) != 0) out.unsorted.push_back({strip, v * pair.newer.width + u});
     });
 }
 
 /// Sorts the misfits by strip; those of one strip stay in their order.
 void sort_by_strip(const StripGrid& grid, FloorComparison& out) {
-    out.count.assign(static_cast<std::size_t>(grid.strips) + 1, 0);
-    for (const Misfit& m : out.unsorted) ++out.count[static_cast<std::size_t>(m.strip) + 1];
-    for (std::size_t i = 1; i < out.count.size(); ++i) out.count[i] += out.count[i - 1];
+    out.first_misfit.assign(static_cast<std::size_t>(grid.strips) + 2, 0);
+    for (const auto& m : out.unsorted) ++out.first_misfit[static_cast<std::size_t>(m.strip) + 2];
+    for (std::size_t i = 2; i < out.first_misfit.size(); ++i) out.first_misfit[i] += out.first_misfit[i - 1];
     out.misfits.resize(out.unsorted.size());
-    for (const Misfit& m : out.unsorted)
-        out.misfits[static_cast<std::size_t>(out.count[static_cast<std::size_t>(m.strip)]++)] = m;
+    for (const auto& m : out.unsorted) out.misfits[out.first_misfit[static_cast<std::size_t>(m.strip) + 1]++] = m.pixel;
 }
 
 /// Median of the costs, over a histogram.
@@ -254,10 +224,10 @@ class MedianCost {
     int count_ = 0;
 };
 
-void add_costs(const Columns& columns, const FloorComparison& data, MedianCost& median) {
+void add_costs(const Columns& columns, const float* cost, const FloorComparison& data, MedianCost& median) {
     for (int u = columns.begin; u < columns.end; u += 2) {
         const auto i = static_cast<std::size_t>(u);
-        if ((data.row_properties[i] & rows::compared_bit) != 0) median.add(data.row_cost[i]);
+        if ((data.row_counts[i] & rows::compared_one) != 0) median.add(cost[u]);
     }
 }
 
@@ -281,31 +251,28 @@ void make_room(const Pair& pair, FloorComparison& out) {
     out.noise = pair.noise;
     out.cells.assign(pair.grid.size(), FloorCell{});
     out.unsorted.clear();
-    out.row_offset.resize(width);
-    out.row_cost.resize(width);
-    out.row_steepness2.resize(width);
-    out.row_properties.resize(width);
-    out.property_counts.assign(static_cast<std::size_t>(pair.grid.strips * rows::combinations), 0);
+    out.cost.resize(pair.newer.grey.size());
+    out.steepness2.resize(pair.newer.grey.size());
+    out.row_counts.resize(width);
+    out.row_evidence.resize(width);
 }
 
 }  // namespace
 
 void reserve(FloorComparison& comparison, std::size_t width, std::size_t height) {
     const std::size_t pixels = width * height;
-    const std::size_t tiles = (width / tile_px + 1) * (height / tile_px + 1);
     comparison.cells.reserve(strips_max * (height / cell_rows + 1));
     comparison.misfits.reserve(pixels);
     comparison.warped.reserve(pixels);
-    comparison.offset.reserve(tiles);
-    comparison.offset_pixels.reserve(tiles);
+    comparison.offset.reserve(width * (height / tile_px + 1));
     comparison.unsorted.reserve(pixels);
-    comparison.count.reserve(strips_max + 1);
+    comparison.first_misfit.reserve(strips_max + 2);
     comparison.ratios.reserve((width / sparse_px + 1) * (height / sparse_px + 1));
-    comparison.row_offset.reserve(width);
-    comparison.row_cost.reserve(width);
-    comparison.row_steepness2.reserve(width);
-    comparison.row_properties.reserve(width);
-    comparison.property_counts.reserve(strips_max * static_cast<std::size_t>(rows::combinations));
+    comparison.row_numbers.reserve(width);
+    comparison.cost.reserve(pixels);
+    comparison.steepness2.reserve(pixels);
+    comparison.row_counts.reserve(width);
+    comparison.row_evidence.reserve(width);
 }
 
 void compare_with_floor(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
@@ -316,17 +283,49 @@ void compare_with_floor(const LevelImage& reference, const LevelImage& newer, co
     measure_brightness(pair, out);
     measure_offsets(pair, out);
     MedianCost median;
-    for (int v = 1; v < std::min(pair.first_row(), pair.last_row()); ++v) count_edges(pair, v, out);
     for (int v = pair.first_row(); v < pair.last_row(); ++v) {
         const Columns columns = columns_of(pair.grid, newer, strips, v);
-        fill_row(pair, v, columns, out);
+        rows::functions().costs(row_at(pair, v, out), columns.begin, columns.end);
         count_row(pair, v, columns, out);
-        if (v % sparse_px == 0) add_costs(columns, out, median);
-        if ((v + 1) % cell_rows == 0 || v + 1 == pair.last_row()) flush_counts(pair, v / cell_rows, out);
+        if (v % noise_rows == 0) add_costs(columns, row_of(out.cost, newer, v), out, median);
     }
     sort_by_strip(pair.grid, out);
     if (median.count() >= samples_min) out.noise = noise * std::sqrt(median.value() / usual_cost);
     measure_fit(pair, out);
+}
+
+Misfit misfit_at(const FloorComparison& data, const LevelImage& newer, int pixel) {
+    const int u = pixel % newer.width;
+    const int v = pixel / newer.width;
+    const auto i = static_cast<std::size_t>(pixel);
+    const float* const now = newer.grey.data() + pixel;
+    const float dx = now[1] - now[-1];
+    const float dy = now[newer.width] - now[-newer.width];
+    const auto offset = static_cast<std::size_t>(v / tile_px * newer.width + u);
+    return {u,
+            v,
+            std::abs(dx) >= std::abs(dy),
+            (now[0] - data.offset[offset]) / static_cast<float>(data.gain),
+            data.steepness2[i],
+            data.cost[i]};
+}
+
+void count_edges_above_floor(const LevelImage& newer, double noise, FloorComparison& out) {
+    const StripGrid grid = strip_grid(newer);
+    const int last_row = std::min({grid.top_row, newer.height - 1, grid.cells * cell_rows});
+    for (int v = 1; v < last_row; ++v) {
+        rows::CostRow row{};
+        row.above = newer.row(v - 1);
+        row.now = newer.row(v);
+        row.below = newer.row(v + 1);
+        row.noise = static_cast<float>(noise);
+        row.counts = out.row_counts.data();
+        rows::functions().edges(row, 1, newer.width - 1);
+        for_each_strip(grid, newer, {0, grid.strips}, v, [&](int strip, int begin, int end) {
+            count_properties(row.counts, std::max(begin, 1), std::min(end, newer.width - 1),
+                             out.cells[grid.index(v / cell_rows, strip)]);
+        });
+    }
 }
 
 }  // namespace flownav::obstacles

@@ -17,6 +17,9 @@ struct Reference {
     int height;
 };
 
+/// Counts of several properties, a byte or two each, that are added up together.
+using Packed = unsigned;
+
 /// Input and output of costs(). All arrays have one value a pixel of the row.
 struct CostRow {
     const float* above;  ///< the row and its neighbours in the newer image
@@ -32,7 +35,8 @@ struct CostRow {
     float noise;        ///< standard deviation of differences of grey levels
     float* cost;        ///< of the floor
     float* steepness2;  ///< squared gradient of the finest detail
-    int* properties;    ///< bits, see below
+    Packed* counts;     ///< 1 for each property of the pixel, see below
+    Packed* evidence;
 };
 
 /// A pixel that votes, and the contacts it votes for.
@@ -51,6 +55,10 @@ struct Functions {
     /// Grey levels of the reference at the places of the pixels begin to end - 1; NaN outside.
     void (*warp)(const Reference& reference, const Places& places, int begin, int end, float* out);
     void (*costs)(const CostRow& row, int begin, int end);
+    /// Where there is no floor: counts the pixels that the camera saw and the edges.
+    void (*edges)(const CostRow& row, int begin, int end);
+    /// Adds the differences of brightness, at most `limit` each, and their number to two sums a pixel.
+    void (*differences)(const CostRow& row, float limit, int begin, int end, float* sums, float* numbers);
     /// Adds the votes of one pixel for contacts at the `count` inverse forward distances.
     void (*vote)(const Reference& reference, const Vote& vote, const float* inverse, int count, float* sums);
 };
@@ -61,18 +69,19 @@ const Functions& functions();
 /// Those of plain C++, which every processor has.
 const Functions& portable_functions();
 
-// Properties of a pixel.
-constexpr int seen_bit = 1;          ///< the camera looked there
-constexpr int edge_bit = 2;          ///< on an edge of any direction
-constexpr int compared_bit = 4;      ///< its place in the reference is known, by the motion of the floor
-constexpr int misfit_bit = 8;        ///< compared: not as bright as the floor was there
-constexpr int floor_bit = 16;        ///< compared: as bright as the floor was there
-constexpr int informative_bit = 32;  ///< a quarter more inverse depth would show in its brightness
-constexpr int combinations = 64;
+// Properties of a pixel, in CostRow::counts; at most 255 pixels may be added up.
+constexpr Packed seen_one = 1U;           ///< the camera looked there
+constexpr Packed edge_one = 1U << 8;      ///< on an edge of any direction
+constexpr Packed compared_one = 1U << 16; ///< its place in the reference is known, by the motion of the floor
+constexpr Packed misfit_one = 1U << 24;   ///< compared: not as bright as the floor was there
+// In CostRow::evidence. Informative: a quarter more inverse depth would show in the brightness of the pixel.
+constexpr Packed floor_one = 1U;            ///< informative, and as bright as the floor was there
+constexpr Packed not_floor_one = 1U << 16;  ///< informative misfit
 
 constexpr float misfit_cost = 3.0F;         ///< more: does not move as the floor
 constexpr float floor_cost = 1.0F;          ///< less: does
-constexpr float edge_per_noise = 2.9F;      ///< gradient of an edge
+constexpr float edge_per_noise = 2.9F;      ///< gradient of an edge, smoothed
+constexpr float plain_edge2 = 1.5F;         ///< where not smoothed: squared, times that
 constexpr float parallax_per_noise = 2.4F;  ///< least change of brightness of an informative pixel
 constexpr float gradient_per_noise = 1.2F;  ///< its least gradient
 constexpr float displacement2_min = 0.25F;  ///< its least displacement along the gradient, squared pixels

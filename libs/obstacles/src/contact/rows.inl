@@ -57,7 +57,8 @@ void warp(const Reference& reference, const Places& p, int begin, int end, float
 inline void costs_of(const CostRow& r, int begin, int end, const float* __restrict above,
                      const float* __restrict now, const float* __restrict below,
                      const float* __restrict before, const float* __restrict offset, float* __restrict cost,
-                     float* __restrict steepness2, int* __restrict properties) {
+                     float* __restrict steepness2, Packed* __restrict counts,
+                     Packed* __restrict evidence) {
     const Places p = r.places;
     const float v = r.v, w0 = r.w0, w1 = r.w1, bx = r.bx, by = r.by, bz = r.bz;
     const float gain = r.gain, noise2 = r.noise * r.noise;
@@ -84,27 +85,59 @@ inline void costs_of(const CostRow& r, int begin, int end, const float* __restri
         const float e = now[u] - gain * before[u] - offset[u];
         const float c = smaller(e * e / (2.0F * (noise2 + t2 * steep2)), cost_max);
         const float displacement2 = larger(displacement2_min, displacement2_per_tolerance2 * t2);
-        const int compared = (e == e) & (g2 == g2) ? compared_bit : 0;
-        const int misfit = c > misfit_cost ? misfit_bit : 0;
-        const int floor = c < floor_cost ? floor_bit : 0;
+        const Packed seen = g2 == g2 ? seen_one : 0U;
+        const Packed compared = (e == e) & (g2 == g2) ? compared_one : 0U;
+        const Packed misfit = c > misfit_cost ? misfit_one : 0U;
+        const Packed fits = c < floor_cost ? floor_one : 0U;
+        const Packed contradicts = c > misfit_cost ? not_floor_one : 0U;
         const int informative = (parallax > parallax_min) & (g2 > gradient2_min) &
                                 (parallax * parallax > displacement2 * g2);
         cost[u] = c;
         steepness2[u] = steep2;
-        properties[u] = (g2 == g2 ? seen_bit : 0) | (g2 > edge2 ? edge_bit : 0) |
-                        (compared != 0 ? compared | misfit | floor : 0) |
-                        (informative != 0 ? informative_bit : 0);
+        counts[u] = seen | (g2 > edge2 ? edge_one : 0U) | compared | (compared != 0 ? misfit : 0U);
+        evidence[u] = compared != 0 ? (informative != 0 ? fits | contradicts : 0U) : 0U;
     }
 }
 
 void costs(const CostRow& r, int begin, int end) {
-    costs_of(r, begin, end, r.above, r.now, r.below, r.before, r.offset, r.cost, r.steepness2, r.properties);
+    costs_of(r, begin, end, r.above, r.now, r.below, r.before, r.offset, r.cost, r.steepness2, r.counts, r.evidence);
+}
+
+inline void edges_of(float noise, int begin, int end, const float* __restrict above,
+                     const float* __restrict now, const float* __restrict below, Packed* __restrict counts) {
+    const float edge2 = plain_edge2 * edge_per_noise * edge_per_noise * noise * noise;
+    for (int u = begin; u < end; ++u) {
+        const float gx = 0.5F * (now[u + 1] - now[u - 1]);
+        const float gy = 0.5F * (below[u] - above[u]);
+        const float g2 = gx * gx + gy * gy;
+        counts[u] = (g2 == g2 ? seen_one : 0U) | (g2 > edge2 ? edge_one : 0U);
+    }
+}
+
+void edges(const CostRow& r, int begin, int end) {
+    edges_of(r.noise, begin, end, r.above, r.now, r.below, r.counts);
+}
+
+inline void differences_of(float gain, float limit, int begin, int end, const float* __restrict now,
+                           const float* __restrict before, float* __restrict sums,
+                           float* __restrict numbers) {
+    for (int u = begin; u < end; ++u) {
+        const float e = now[u] - gain * before[u];
+        const float clipped = smaller(larger(e, -limit), limit);
+        sums[u] += e == e ? clipped : 0.0F;
+        numbers[u] += e == e ? 1.0F : 0.0F;
+    }
+}
+
+void differences(const CostRow& r, float limit, int begin, int end, float* sums, float* numbers) {
+    differences_of(r.gain, limit, begin, end, r.now, r.before, sums, numbers);
 }
 
 void vote(const Reference& reference, const Vote& p, const float* inverse, int count, float* sums) {
     float x[chunk];
     float y[chunk];
     float grey[chunk];
+    float given_of[chunk];
     for (int from = 0; from < count; from += chunk) {
         const int n = count - from < chunk ? count - from : chunk;
         for (int i = 0; i < n; ++i) {
@@ -114,6 +147,7 @@ void vote(const Reference& reference, const Vote& p, const float* inverse, int c
             y[i] = (p.y + p.by * w) * scale;
         }
         look_up(reference, x, y, n, grey);
+        int fits = 0;
         for (int i = 0; i < n; ++i) {
             const float e = p.grey - grey[i];
             const float du = x[i] - p.u;
@@ -122,12 +156,16 @@ void vote(const Reference& reference, const Vote& p, const float* inverse, int c
                              position_error_per_flow * position_error_per_flow * (du * du + dv * dv);
             const float cost = e * e / (2.0F * (p.noise2 + t2 * p.steepness2));
             const float given = cost < fit_cost ? p.cost - cost : -against;
-            sums[from + i] += p.weight * (grey[i] == grey[i] ? given : 0.0F);
+            fits += cost < fit_cost ? 1 : 0;
+            given_of[i] = grey[i] == grey[i] ? given : 0.0F;
         }
+        // A pixel that fits contacts everywhere tells little about any.
+        const float weight = p.weight * (1.0F - static_cast<float>(fits) / static_cast<float>(n));
+        for (int i = 0; i < n; ++i) sums[from + i] += weight * given_of[i];
     }
 }
 
 }  // namespace
 
 extern const Functions table;
-const Functions table = {warp, costs, vote};
+const Functions table = {warp, costs, edges, differences, vote};

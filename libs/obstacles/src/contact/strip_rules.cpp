@@ -18,7 +18,6 @@ constexpr double presence_max = 0.97;
 constexpr int presence_cells = 3;  // cells over which the presence of texture is measured
 // Walls.
 constexpr int above_horizon_cells = 2;
-constexpr double edge_share = 0.1;  // of the pixels of a cell with an edge
 constexpr double continuing = 0.2;  // largest relative step of range between strips of one wall
 constexpr int wall_neighbours = 2;  // of the four nearest strips
 
@@ -62,10 +61,6 @@ double floor_end_m(const LevelImage& image, const StripGrid& grid, const std::ve
         if (lacking > missing_max || far_m - reached_m > gap_share * std::max(1.0, far_m)) break;
     }
     return end_m;
-}
-
-bool has_edge(const FloorCell& cell) {
-    return cell.edges > edge_share * cell.pixels;
 }
 
 /// Distance of the first edge below a surface that has none from above the horizon; 0: no such surface.

@@ -8,6 +8,7 @@ namespace flownav::mapping {
 struct Evidence {
     Eigen::Vector2i cell;  ///< floor((position - origin) / edge of a cell)
     double p_free;         ///< MRPT's cells speak of the probability of being FREE
+    bool at_most_unknown = false;  ///< makes an occupied cell unknown, and no cell free
 
     bool operator<(const Evidence& o) const {
         if (cell.x() != o.cell.x()) return cell.x() < o.cell.x();

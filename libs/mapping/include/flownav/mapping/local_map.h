@@ -50,8 +50,8 @@ class LocalMap {
     int log_odds(const Eigen::Vector2i& cell) const;
     void note_movers(const ObstacleSet& set);
     void draw_rims(const Eigen::Isometry2d& T_robot_map);
-    /// Adds the evidence of an entry and returns how much of it fitted below the limit for free ground.
-    int add(const Entry& entry);
+    /// Adds the evidence of an entry and returns how much of it fitted below the limit.
+    int add(const Entry& entry, int limit);
     void forget(const Remembered& old);
 
     MapParams params_;

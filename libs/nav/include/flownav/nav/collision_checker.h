@@ -36,6 +36,7 @@ struct Surroundings {
 struct Forecast {
     bool touches = false;
     bool unseen = false;
+    bool unscanned = false;  ///< ... and no contact scan looked at the unseen ground
     bool unconfirmed = false;
     Eigen::Vector2d where_m = Eigen::Vector2d::Zero();  ///< the obstacle, robot frame
 };

@@ -24,7 +24,8 @@ enum class Ground : unsigned char {
 
 /// Memory of the ground around the robot, map frame: cells of the last local maps, what contact scans saw of
 /// the floor, and ground that the robot drove over. The newest evidence of a cell holds; unknown cells of a
-/// map change nothing, and scans change neither free nor occupied cells.
+/// map change nothing, and scans change no free cells. An obstacle that the map no longer shows is forgotten
+/// after some scans saw nothing there.
 class GroundMemory {
   public:
     explicit GroundMemory(const GroundMemoryParams& params);
@@ -45,6 +46,8 @@ class GroundMemory {
     bool is_seen(const Eigen::Vector2d& at_m, double time_s) const;
     /// Unconfirmed, and not a gap of one cell between two free ones.
     bool is_unconfirmed(const Eigen::Vector2d& at_m, double time_s) const;
+    /// Not known to be free, but some contact scans looked at it, and none saw anything stand or end there.
+    bool is_scanned(const Eigen::Vector2d& at_m, double time_s) const;
     /// Driven over, or confirmed by a contact scan.
     bool is_confirmed(const Eigen::Vector2d& at_m, double time_s) const;
     /// Middles of the occupied cells around a place, map frame.
@@ -58,10 +61,12 @@ class GroundMemory {
         double until_s = 0.0;  ///< time at which the cell is forgotten
         double confirmed_until_s = -std::numeric_limits<double>::infinity();
         double doubt = 0.0;  ///< -log of the chance that so many scans miss floor here
+        int scans = 0;       ///< that looked here and did not confirm floor; since the map showed an obstacle
     };
 
     Ground at(const Eigen::Vector2i& cell, double time_s) const;
     bool note_cell(const Eigen::Vector2i& cell, bool is_free, double time_s);
+    void look_through(const Eigen::Vector2i& cell, double time_s);
     void note_unconfirmed(const Eigen::Vector2i& cell, double doubt, double time_s);
     void note_unknown(const Eigen::Vector2i& cell, const Eigen::Vector2d& at_robot_m, double time_s);
 

@@ -30,7 +30,7 @@ struct LaneParams {
     double standoff_m = 0.08;      ///< distance kept to an obstacle at the end of a lane
     double bumper_m = 0.4;         ///< unknown ground within this distance does not limit the speed
     double unseen_area_m2 = 0.02;  ///< smaller patches of unknown ground do not limit the speed
-    double unseen_mps = 0.15;      ///< speed over ground that has not been seen
+    double unseen_mps = 0.3;       ///< speed over ground that has not been seen
     double narrow_share = 0.35;    ///< share of the maximum speed where obstacles stand right at the sides
     double arrival_mps = 0.15;     ///< minimum speed toward the way point
     double behind_rad = 1.9;       ///< the robot first turns to a way point beyond this bearing

@@ -71,6 +71,28 @@ struct StripEvidence {
     double first_edge_m = 0.0;  ///< memory of the wall rule
 };
 
+/// Motion of a pair of key images by odometry, and the same with the floor registered.
+struct FittedPair {
+    PairMotion measured;
+    PairMotion fitted;
+    PairWarp warp;
+};
+
+/// The parts of a scan, in their order. Each takes about as long as the others.
+enum class ScanPart { None, Register, Compare, Vote, CompareAhead, VoteAhead };
+
+/// A scan that is under way.
+struct ScanInWork {
+    ScanPart next = ScanPart::None;
+    double way_error = 1.0;  ///< of the cycle
+    CameraMount mount;
+    FittedPair pair;
+    double vignetting = 0.0;  ///< as this scan measured it
+    double noise = 0.0;
+    int ahead = 0;  ///< key image of the long pair; 0: none
+    ContactScan scan;
+};
+
 /// Memory of the scan from cycle to cycle.
 struct ContactMemory {
     LevelMapping mapping;
@@ -80,6 +102,7 @@ struct ContactMemory {
     int scans = 0;
     std::vector<EarlierContact> earlier;
     ConeMemory cone;
+    ScanInWork work;
 
     // Buffers.
     FloorComparison comparison;
@@ -95,9 +118,18 @@ void restart(ContactMemory& memory, const RayMapper& mapper);
 /// Forgets the images: the way between those before and those to come is unknown.
 void forget_images(ContactMemory& memory);
 
-/// Scans the cycle that ends when the robot has travelled far enough since the last scan; true when `out` is
-/// new. Then it speaks of the robot frame of this image, and out.gate says whether the cycle could be
-/// scanned.
+/// Begins the scan of a cycle when the robot has travelled far enough since the last one; true when it did.
+/// The scan under way must be finished first. It speaks of the robot frame of this image.
+bool begin_scan(ContactMemory& memory, const CycleEnd& cycle, const ContactParams& params);
+
+/// True between begin_scan() and the last part of that scan.
+bool is_scanning(const ContactMemory& memory);
+
+/// Does the next part of the scan under way, so that its parts may be spread over the fields of a cycle; true
+/// when it was the last one and `out` is the scan. out.gate says whether the cycle could be scanned.
+bool continue_scan(ContactMemory& memory, const ContactParams& params, ContactScan& out);
+
+/// Scans a cycle in one go; true when `out` is new.
 bool scan_cycle(ContactMemory& memory, const CycleEnd& cycle, const ContactParams& params, ContactScan& out);
 
 /// Motion of the camera between two key images by odometry.

@@ -17,13 +17,17 @@ struct FloorCell {
     std::uint16_t not_floor = 0;  ///< informative pixels that did not
 };
 
+/// True when a tenth of the pixels of a cell lie on edges.
+inline bool has_edge(const FloorCell& cell) {
+    return 10 * cell.edges > cell.pixels;
+}
+
 /// A pixel that does not move as the floor does.
 struct Misfit {
-    std::int16_t u = 0;
-    std::int16_t v = 0;
-    std::int16_t strip = 0;
-    bool steep = false;  ///< on an edge nearer to the vertical than to the horizontal
-    float grey = 0.0F;   ///< on the brightness scale of the reference
+    int u = 0;
+    int v = 0;
+    bool steep = false;     ///< on an edge nearer to the vertical than to the horizontal
+    float grey = 0.0F;      ///< on the brightness scale of the reference
     float gradient2 = 0.0F;
     float cost = 0.0F;  ///< of the floor
 };
@@ -31,7 +35,8 @@ struct Misfit {
 /// Result and memory of compare_with_floor().
 struct FloorComparison {
     std::vector<FloorCell> cells;  ///< see StripGrid
-    std::vector<Misfit> misfits;   ///< by strip, then from the top
+    std::vector<int> misfits;      ///< pixels that do not fit, row by row, by strip
+    std::vector<std::size_t> first_misfit;  ///< of each strip, and behind the last one
     double gain = 1.0;             ///< brightness of the newer image over that of the reference
     double vignetting = 0.0;       ///< fall-off of brightness that is left in the images, at the corner
     double noise = 0.0;            ///< standard deviation of differences of grey levels, as measured here
@@ -40,16 +45,18 @@ struct FloorComparison {
 
     // Memory.
     std::vector<float> warped;  ///< grey level that the floor had in the reference; NaN: outside
-    std::vector<float> offset;  ///< local difference of brightness, a tile an entry
-    std::vector<Misfit> unsorted;
-    std::vector<int> count;
+    std::vector<float> offset;  ///< local difference of brightness: a row of tiles is one row, as wide as the image
+    struct InStrip {
+        int strip;
+        int pixel;
+    };
+    std::vector<InStrip> unsorted;
     std::vector<double> ratios;
-    std::vector<float> offset_pixels;
-    std::vector<float> row_offset;
-    std::vector<float> row_cost;
-    std::vector<float> row_steepness2;
-    std::vector<int> row_properties;
-    std::vector<std::uint16_t> property_counts;
+    std::vector<float> row_numbers;
+    std::vector<float> cost;         ///< of the floor, a pixel an entry
+    std::vector<float> steepness2;
+    std::vector<unsigned> row_counts;
+    std::vector<unsigned> row_evidence;
 };
 
 /// Room for images of this size, so that no comparison allocates.
@@ -59,5 +66,11 @@ void reserve(FloorComparison& comparison, std::size_t width, std::size_t height)
 /// says the floor came. `noise`: standard deviation of differences of grey levels.
 void compare_with_floor(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
                         double noise, const StripRange& strips, FloorComparison& out);
+
+/// Pixel `pixel` of `data.misfits`.
+Misfit misfit_at(const FloorComparison& data, const LevelImage& newer, int pixel);
+
+/// After compare_with_floor(): counts pixels and edges in the cells above the floor.
+void count_edges_above_floor(const LevelImage& newer, double noise, FloorComparison& out);
 
 }  // namespace flownav::obstacles
