@@ -26,6 +26,8 @@ constexpr double way_error_min = 0.015;
 constexpr double way_error_max = 0.05;
 constexpr double own_share = 0.15;   // of the votes of three strips: those of the middle one
 constexpr double sure_from_m = 1.0;  // nearer, no contact is believed that was not seen before
+constexpr double near_wall_m = 1.0;  // farther, a wall is believed that was seen before: lines on the floor move
+constexpr double floor_preference_max = 0.4;  // of the costs above a contact
 constexpr int confirming_scans = 2;  // so many scans back
 constexpr double same_place_m = 0.2;
 constexpr double same_place_share = 0.12;     // of the distance
@@ -75,7 +77,7 @@ void gather_evidence(const KeyImage& newer, const ContactParams& params, Contact
         strip.votes = best_contact(newer.image, memory.votes.all, s, params.range_min_m, params.range_max_m);
         strip.is_seen = is_in_view(newer.image, grid, memory.comparison.cells, s);
     }
-    find_floor_ends(newer.image, memory.comparison.cells, memory.missing, memory.evidence);
+    find_floor_ends(newer.image, memory.comparison.cells, memory.floor, memory.evidence);
     find_walls(newer.image, memory.comparison.cells, params.range_max_m, memory.evidence);
 }
 
@@ -108,25 +110,37 @@ double smooth_m(const std::vector<StripEvidence>& strips, int strip) {
     return sum / weight;
 }
 
-/// Votes and walls become obstacles; returns the contacts that later scans may confirm in memory.earlier.
+/// Notes a place that shows a contact; true when an earlier scan saw it as well.
+bool note_place(ContactMemory& memory, std::size_t known, const Vector2d& place_m, double forward_m) {
+    const bool before = was_seen_before(memory, known, place_m, forward_m);
+    memory.earlier.push_back({place_m, memory.scans});
+    return before;
+}
+
+/// Votes and walls become obstacles when an earlier scan saw them too, or when the votes are many.
 void decide_obstacles(ContactMemory& memory, const Pose2& T_start_robot, const ContactParams& params,
                       ContactScan& out) {
     const std::size_t known = memory.earlier.size();  // places of this scan do not confirm each other
     for (int s = 0; s < static_cast<int>(out.strips.size()); ++s) {
         const StripEvidence& e = memory.evidence[static_cast<std::size_t>(s)];
         ContactStrip& strip = out.strips[static_cast<std::size_t>(s)];
+        const auto place_at = [&](double forward_m) {
+            return place_of(out, T_start_robot, forward_m, middle_tangent(out, s));
+        };
         strip.score = e.votes.score;
         if (e.votes.score > params.score_min && e.votes.own > own_share * e.votes.score) {
             const double forward_m = smooth_m(memory.evidence, s);
-            const Vector2d place_m = place_of(out, T_start_robot, forward_m, middle_tangent(out, s));
-            const bool before = was_seen_before(memory, known, place_m, forward_m);
-            memory.earlier.push_back({place_m, memory.scans});
+            const bool before = note_place(memory, known, place_at(forward_m), forward_m);
             const bool is_sure = e.votes.score > params.score_sure && forward_m > sure_from_m;
             if (before || is_sure)
                 set_obstacle(strip, BeamCause::Votes, forward_m, e.votes.near_m, e.votes.far_m);
         }
-        if (e.wall_m > 0.0 && (strip.kind != BeamKind::Obstacle || e.wall_m < strip.contact_m))
-            set_obstacle(strip, BeamCause::Wall, e.wall_m, 0.95 * e.wall_m, 1.05 * e.wall_m);
+        if (e.wall_m > 0.0) {
+            const bool before = note_place(memory, known, place_at(e.wall_m), e.wall_m);
+            const bool is_nearest = strip.kind != BeamKind::Obstacle || e.wall_m < strip.contact_m;
+            if ((before || e.wall_m < near_wall_m) && is_nearest)
+                set_obstacle(strip, BeamCause::Wall, e.wall_m, 0.95 * e.wall_m, 1.05 * e.wall_m);
+        }
     }
 }
 
@@ -221,6 +235,7 @@ void compare_pair(ContactMemory& memory) {
     compare_with_floor(memory.keys[1].image, newer, memory.work.pair.warp, memory.noise,
                        {0, strip_grid(newer).strips}, memory.comparison);
     count_edges_above_floor(newer, memory.noise, memory.comparison);
+    measure_preferences(memory.keys[1].image, newer, memory.work.pair.warp, memory.noise, memory.comparison);
     take_lesson(memory);
 }
 
@@ -254,6 +269,22 @@ bool is_floor_believed(const ContactMemory& memory, const ContactParams& params)
     return memory.comparison.near_informative < least || memory.comparison.fit_share >= params.fit_share_min;
 }
 
+/// Forgets contacts above which the image moves as floor does: a column without edges may be floor whose
+/// texture is too weak for edges, and the floor beside a thing may get its votes.
+void drop_contacts_on_floor(ContactMemory& memory) {
+    const auto is_floor = [&](std::size_t strip, double forward_m) {
+        const std::optional<double> preference =
+            floor_preference(memory.keys[1].image, memory.keys[0].image, memory.work.pair.warp,
+                             memory.comparison, memory.noise, static_cast<int>(strip), forward_m);
+        return preference && *preference > floor_preference_max;
+    };
+    for (std::size_t s = 0; s < memory.evidence.size(); ++s) {
+        StripEvidence& strip = memory.evidence[s];
+        if (strip.votes.score > 0.0 && is_floor(s, strip.votes.forward_m)) strip.votes = {};
+        if (strip.wall_m > 0.0 && is_floor(s, strip.wall_m)) strip.wall_m = 0.0;
+    }
+}
+
 /// Decides about the strips by the votes of the short pair; false when the floor is not believed.
 bool vote_of_pair(ContactMemory& memory, const ContactParams& params) {
     ContactScan& scan = memory.work.scan;
@@ -262,6 +293,7 @@ bool vote_of_pair(ContactMemory& memory, const ContactParams& params) {
     vote_for_contacts(memory.keys[1].image, newer, memory.work.pair.warp, memory.comparison, memory.noise,
                       {0, strip_grid(newer).strips}, memory.votes);
     gather_evidence(memory.keys[0], params, memory);
+    drop_contacts_on_floor(memory);
     if (!is_floor_believed(memory, params)) {
         scan.gate = ContactGate::PoorFloor;
         memory.earlier.clear();
@@ -312,7 +344,9 @@ void reserve(ContactMemory& memory, const CameraModel& camera) {
     reserve(memory.comparison, half(camera.width_px), half(camera.height_px));
     reserve(memory.votes, half(camera.height_px));
     memory.evidence.reserve(strips_max);
-    memory.missing.reserve(half(camera.height_px) / cell_rows + 1);
+    memory.floor.floor.reserve(strips_max * (half(camera.height_px) / cell_rows + 1));
+    memory.floor.sorted.reserve(strips_max);
+    memory.floor.missing.reserve(half(camera.height_px) / cell_rows + 1);
     memory.registration.pixels.reserve(pixels / 64 + 1);
     memory.registration.residuals.reserve(pixels / 64 + 1);
     memory.registration.sorted.reserve(pixels / 64 + 1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bilinear.h"
 #include "row_warp.h"
 
 namespace flownav::obstacles {
@@ -14,6 +15,8 @@ constexpr double contact_nearest_m = 0.6;
 constexpr double contact_farthest_m = 5.0;
 constexpr double every_cell_m = 1.4;  // nearer: every second cell is a candidate
 constexpr double plateau_share = 0.93;
+constexpr int preferring_rows = 32;  // above a contact: as many tell whether they are floor
+constexpr int preferring_min = 80;   // pixels
 constexpr int voters_max = 128;  // of one strip; of more, every second or third votes, with more weight
 
 /// Rows in which many strips do not fit weigh little: there the comparison itself is poor.
@@ -154,6 +157,34 @@ void vote_for_contacts(const LevelImage& reference, const LevelImage& newer, con
         for (std::size_t i = 0; i < size; ++i) out.votes[i] += out.steep_votes[i];
         add_up(grid, comparison.cells, strip, out.votes, out, out.all);
     }
+}
+
+std::optional<double> floor_preference(const LevelImage& reference, const LevelImage& newer,
+                                       const PairWarp& warp, const FloorComparison& comparison, double noise,
+                                       int strip, double forward_m) {
+    const StripGrid grid = strip_grid(newer);
+    const int foot = static_cast<int>(newer.camera.row_of(newer.camera.height_m / forward_m));
+    const int last = std::min(foot, std::min(newer.height - 1, grid.cells * cell_rows));
+    double sum = 0.0;
+    int pixels = 0;
+    for (int v = std::max(grid.top_row, foot - preferring_rows); v < last; ++v) {
+        const int end = std::min(newer.width - 1, strip_column(grid, newer, strip + 1, v));
+        for (int u = std::max(1, strip_column(grid, newer, strip, v)); u < end; ++u) {
+            const Misfit pixel = misfit_at(comparison, newer, v * newer.width + u);
+            const Eigen::Vector3d at(u, v, 1.0);
+            const Eigen::Vector3d from = warp.A * at + warp.B * (warp.forward.dot(at) / forward_m);
+            const auto x = static_cast<float>(from.x() / from.z());
+            const auto y = static_cast<float>(from.y() / from.z());
+            const auto i = static_cast<std::size_t>(v * newer.width + u);
+            if (std::isnan(comparison.warped[i]) || !can_sample(reference, x, y)) continue;
+            const double e = pixel.grey - sample(reference, x, y);
+            const double tolerance = rows::position_error_px * rows::position_error_px * pixel.gradient2;
+            const double cost = e * e / (2.0 * (noise * noise + tolerance));
+            sum += std::min<double>(cost, rows::cost_max) - pixel.cost;
+            ++pixels;
+        }
+    }
+    return pixels >= preferring_min ? std::optional<double>(sum / pixels) : std::nullopt;
 }
 
 float contact_score(const StripGrid& grid, const std::vector<float>& votes, int cell, int strip) {

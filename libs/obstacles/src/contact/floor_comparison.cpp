@@ -20,6 +20,7 @@ constexpr double near_floor_m = 1.75;
 constexpr int samples_min = 100;      // costs that tell the noise
 constexpr double usual_cost = 0.227;  // median of the costs when the noise is right: that of chi^2 / 2
 constexpr int sparse_px = 8;          // spacing of the pixels that measure gain and fall-off
+constexpr double quarter_nearer = 1.25;  // of inverse distance
 constexpr int noise_rows = 4;         // every fourth row measures the noise
 constexpr float dark_grey = 20.0F;    // darker pixels do not tell gain and fall-off
 constexpr double ratio_limit = 0.1;   // of brightness, from its median
@@ -255,6 +256,8 @@ void make_room(const Pair& pair, FloorComparison& out) {
     out.steepness2.resize(pair.newer.grey.size());
     out.row_counts.resize(width);
     out.row_evidence.resize(width);
+    out.row_nearer.resize(width);
+    out.row_preference.resize(width);
 }
 
 }  // namespace
@@ -273,6 +276,8 @@ void reserve(FloorComparison& comparison, std::size_t width, std::size_t height)
     comparison.steepness2.reserve(pixels);
     comparison.row_counts.reserve(width);
     comparison.row_evidence.reserve(width);
+    comparison.row_nearer.reserve(width);
+    comparison.row_preference.reserve(width);
 }
 
 void compare_with_floor(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
@@ -292,6 +297,29 @@ void compare_with_floor(const LevelImage& reference, const LevelImage& newer, co
     sort_by_strip(pair.grid, out);
     if (median.count() >= samples_min) out.noise = noise * std::sqrt(median.value() / usual_cost);
     measure_fit(pair, out);
+}
+
+void measure_preferences(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
+                         double noise, FloorComparison& out) {
+    const StripGrid grid = strip_grid(newer);
+    const Pair pair{reference, newer, warp, grid, {0, grid.strips}, static_cast<float>(noise)};
+    PairWarp nearer = warp;
+    nearer.floor *= quarter_nearer;
+    for (int v = pair.first_row(); v < pair.last_row(); ++v) {
+        const Columns columns = columns_of(grid, newer, pair.strips, v);
+        rows::CostRow row = row_at(pair, v, out);
+        row.before_nearer = out.row_nearer.data();
+        row.preference = out.row_preference.data();
+        rows::functions().warp(rows_reference(reference), floor_places(nearer, v), columns.begin, columns.end,
+                               out.row_nearer.data());
+        rows::functions().preferences(row, columns.begin, columns.end);
+        for_each_strip(grid, newer, pair.strips, v, [&](int strip, int first, int last) {
+            const int begin = std::max(first, columns.begin);
+            const int end = std::max(begin, std::min(last, columns.end));
+            out.cells[grid.index(v / cell_rows, strip)].preference +=
+                std::accumulate(row.preference + begin, row.preference + end, 0.0F);
+        });
+    }
 }
 
 Misfit misfit_at(const FloorComparison& data, const LevelImage& newer, int pixel) {

@@ -26,6 +26,7 @@ struct CostRow {
     const float* now;
     const float* below;
     const float* before;  ///< grey level of the floor in the reference; NaN: outside
+    const float* before_nearer;  ///< the same of something a quarter nearer; null: not asked for
     const float* offset;  ///< local difference of brightness
     Places places;
     float v;
@@ -37,6 +38,7 @@ struct CostRow {
     float* steepness2;  ///< squared gradient of the finest detail
     Packed* counts;     ///< 1 for each property of the pixel, see below
     Packed* evidence;
+    float* preference;  ///< cost of something nearer less that of the floor
 };
 
 /// A pixel that votes, and the contacts it votes for.
@@ -55,6 +57,8 @@ struct Functions {
     /// Grey levels of the reference at the places of the pixels begin to end - 1; NaN outside.
     void (*warp)(const Reference& reference, const Places& places, int begin, int end, float* out);
     void (*costs)(const CostRow& row, int begin, int end);
+    /// After costs(): fills `preference`.
+    void (*preferences)(const CostRow& row, int begin, int end);
     /// Where there is no floor: counts the pixels that the camera saw and the edges.
     void (*edges)(const CostRow& row, int begin, int end);
     /// Adds the differences of brightness, at most `limit` each, and their number to two sums a pixel.

@@ -103,6 +103,25 @@ void costs(const CostRow& r, int begin, int end) {
     costs_of(r, begin, end, r.above, r.now, r.below, r.before, r.offset, r.cost, r.steepness2, r.counts, r.evidence);
 }
 
+inline void preferences_of(const CostRow& r, int begin, int end, const float* __restrict now,
+                           const float* __restrict before, const float* __restrict nearer,
+                           const float* __restrict offset, const float* __restrict cost,
+                           const float* __restrict steepness2, float* __restrict preference) {
+    const float gain = r.gain, noise2 = r.noise * r.noise;
+    const float t2 = position_error_px * position_error_px;
+    for (int u = begin; u < end; ++u) {
+        const float e = now[u] - gain * nearer[u] - offset[u];
+        const float c = smaller(e * e / (2.0F * (noise2 + t2 * steepness2[u])), cost_max);
+        const int known = (nearer[u] == nearer[u]) & (before[u] == before[u]);
+        preference[u] = known != 0 ? c - cost[u] : 0.0F;
+    }
+}
+
+void preferences(const CostRow& r, int begin, int end) {
+    preferences_of(r, begin, end, r.now, r.before, r.before_nearer, r.offset, r.cost, r.steepness2,
+                   r.preference);
+}
+
 inline void edges_of(float noise, int begin, int end, const float* __restrict above,
                      const float* __restrict now, const float* __restrict below, Packed* __restrict counts) {
     const float edge2 = plain_edge2 * edge_per_noise * edge_per_noise * noise * noise;
@@ -168,4 +187,4 @@ void vote(const Reference& reference, const Vote& p, const float* inverse, int c
 }  // namespace
 
 extern const Functions table;
-const Functions table = {warp, costs, edges, differences, vote};
+const Functions table = {warp, costs, preferences, edges, differences, vote};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flownav/math/order_statistic.h"
 #include "flownav/obstacles/strip_grid.h"
 
 namespace flownav::obstacles {
@@ -10,6 +11,11 @@ namespace {
 
 // Free floor.
 constexpr int floor_min = 3;              // pixels of floor in a cell that is floor
+constexpr float preference_min = 0.3F;  // of the costs of floor to those of something nearer
+constexpr double sure_share = 0.6;       // of the usual preference of a row: least of a cell with floor pixels
+constexpr double least_share = 0.65;     // of the usual preference of a row: least of a cell
+constexpr int preferring_min = 64;      // pixels
+constexpr double misfit_share = 0.1;    // of the pixels of a cell that moves as floor
 constexpr double not_floor_share = 0.34;  // of them: largest number of pixels that are not
 constexpr double gap_share = 0.2;         // of the distance: longest way without a cell of floor
 constexpr double missing_max = 4.0;       // log-likelihood of texture that should have been seen
@@ -21,12 +27,57 @@ constexpr int above_horizon_cells = 2;
 constexpr double continuing = 0.2;  // largest relative step of range between strips of one wall
 constexpr int wall_neighbours = 2;  // of the four nearest strips
 
-bool is_floor(const FloorCell& cell) {
+bool has_floor_pixels(const FloorCell& cell) {
     return cell.floor >= floor_min && cell.not_floor <= not_floor_share * cell.floor;
 }
 
+/// Preference of a cell, a pixel.
+float preference(const FloorCell& cell) {
+    return cell.compared > 0 ? cell.preference / static_cast<float>(cell.compared) : 0.0F;
+}
+
+/// Median of the preferences of a group of rows: how much texture the floor shows there.
+double usual_preference(const StripGrid& grid, const std::vector<FloorCell>& cells, int cell,
+                       std::vector<double>& sorted) {
+    sorted.clear();
+    for (int s = 0; s < grid.strips; ++s)
+        if (cells[grid.index(cell, s)].compared > 0) sorted.push_back(preference(cells[grid.index(cell, s)]));
+    return sorted.empty() ? 0.0 : nth_smallest(sorted, sorted.size() / 2);
+}
+
+/// True when a cell and its neighbours in the strip move as floor, however weak their texture. `least`: for the
+/// cell itself.
+bool moves_as_floor(const StripGrid& grid, const std::vector<FloorCell>& cells, int cell, int strip,
+                    double least) {
+    const FloorCell& here = cells[grid.index(cell, strip)];
+    float sum = 0.0F;
+    int compared = 0;
+    for (int c = std::max(0, cell - 1); c <= std::min(grid.cells - 1, cell + 1); ++c) {
+        sum += cells[grid.index(c, strip)].preference;
+        compared += cells[grid.index(c, strip)].compared;
+    }
+    return compared >= preferring_min && sum > preference_min * static_cast<float>(compared) &&
+           preference(here) > least &&
+           here.misfits <= misfit_share * here.compared && here.not_floor <= here.floor;
+}
+
+/// Which cells show floor.
+void find_floor(const StripGrid& grid, const std::vector<FloorCell>& cells, FloorMap& map) {
+    map.floor.assign(grid.size(), 0);
+    for (int cell = grid.top_row / cell_rows; cell < grid.cells; ++cell) {
+        const double usual = usual_preference(grid, cells, cell, map.sorted);
+        const double least = least_share * std::max<double>(usual, preference_min);
+        for (int s = 0; s < grid.strips; ++s)
+            map.floor[grid.index(cell, s)] =
+                (has_floor_pixels(cells[grid.index(cell, s)]) &&
+                 preference(cells[grid.index(cell, s)]) > sure_share * usual) ||
+                moves_as_floor(grid, cells, cell, s, least);
+    }
+}
+
 /// Share of the strips that show floor in this cell or the two nearer ones.
-double presence(const StripGrid& grid, const std::vector<FloorCell>& cells, int cell) {
+double presence(const StripGrid& grid, const std::vector<FloorCell>& cells, const std::vector<char>& floor,
+                int cell) {
     int live = 0;
     int with_floor = 0;
     for (int s = 0; s < grid.strips; ++s) {
@@ -34,7 +85,7 @@ double presence(const StripGrid& grid, const std::vector<FloorCell>& cells, int 
         bool seen = false;
         for (int c = cell; c < std::min(cell + presence_cells, grid.cells); ++c) {
             in_view |= cells[grid.index(c, s)].compared > 0;
-            seen |= is_floor(cells[grid.index(c, s)]);
+            seen |= floor[grid.index(c, s)] != 0;
         }
         live += in_view;
         with_floor += seen;
@@ -43,7 +94,7 @@ double presence(const StripGrid& grid, const std::vector<FloorCell>& cells, int 
 }
 
 double floor_end_m(const LevelImage& image, const StripGrid& grid, const std::vector<FloorCell>& cells,
-                   const std::vector<double>& missing, int strip) {
+                   const FloorMap& map, int strip) {
     const int top = grid.top_row / cell_rows + 1;
     double end_m = 0.0;
     double reached_m = image.camera.floor_m(grid.cells * cell_rows - 1);  // lower border of the view
@@ -51,12 +102,12 @@ double floor_end_m(const LevelImage& image, const StripGrid& grid, const std::ve
     for (int cell = grid.cells - 1; cell >= top; --cell) {
         const FloorCell& c = cells[grid.index(cell, strip)];
         const double far_m = image.camera.floor_m(cell * cell_rows);
-        if (is_floor(c)) {
+        if (map.floor[grid.index(cell, strip)] != 0) {
             end_m = reached_m = far_m;
             lacking = 0.0;
             continue;
         }
-        if (c.compared > 0) lacking += missing[static_cast<std::size_t>(cell)];
+        if (c.compared > 0) lacking += map.missing[static_cast<std::size_t>(cell)];
         if (c.not_floor >= floor_min && c.not_floor > c.floor) lacking += contradiction;
         if (lacking > missing_max || far_m - reached_m > gap_share * std::max(1.0, far_m)) break;
     }
@@ -79,11 +130,9 @@ FirstEdge first_edge(const LevelImage& image, const StripGrid& grid, const std::
         if (has_edge(c)) break;
     }
     if (cell >= grid.cells || cell * cell_rows <= grid.top_row) return {};
-    FirstEdge edge;
-    edge.upper_m = cell_floor_m(image.camera, cell);
+    const int upper = cell;
     while (cell + 1 < grid.cells && has_edge(cells[grid.index(cell + 1, strip)])) ++cell;
-    edge.lower_m = cell_floor_m(image.camera, cell);
-    return edge;
+    return {cell_floor_m(image.camera, upper), cell_floor_m(image.camera, cell)};
 }
 
 /// Foot of a wall whose first edge is known: floor and votes place it better than the edge.
@@ -96,14 +145,15 @@ double foot_m(const FirstEdge& edge, const StripEvidence& strip) {
 
 }  // namespace
 
-void find_floor_ends(const LevelImage& image, const std::vector<FloorCell>& cells,
-                     std::vector<double>& missing, std::vector<StripEvidence>& strips) {
+void find_floor_ends(const LevelImage& image, const std::vector<FloorCell>& cells, FloorMap& map,
+                     std::vector<StripEvidence>& strips) {
     const StripGrid grid = strip_grid(image);
-    missing.assign(static_cast<std::size_t>(grid.cells), 0.0);
+    find_floor(grid, cells, map);
+    map.missing.assign(static_cast<std::size_t>(grid.cells), 0.0);
     for (int cell = grid.top_row / cell_rows; cell < grid.cells; ++cell)
-        missing[static_cast<std::size_t>(cell)] = -std::log(1.0 - presence(grid, cells, cell));
+        map.missing[static_cast<std::size_t>(cell)] = -std::log(1.0 - presence(grid, cells, map.floor, cell));
     for (int s = 0; s < grid.strips; ++s)
-        strips[static_cast<std::size_t>(s)].floor_end_m = floor_end_m(image, grid, cells, missing, s);
+        strips[static_cast<std::size_t>(s)].floor_end_m = floor_end_m(image, grid, cells, map, s);
 }
 
 void find_walls(const LevelImage& image, const std::vector<FloorCell>& cells, double range_max_m,

@@ -93,6 +93,13 @@ struct ScanInWork {
     ContactScan scan;
 };
 
+/// Where a scan sees floor.
+struct FloorMap {
+    std::vector<char> floor;      ///< of each cell
+    std::vector<double> sorted;   ///< buffer
+    std::vector<double> missing;  ///< of each group of rows: -log of the chance to see no floor where it is
+};
+
 /// Memory of the scan from cycle to cycle.
 struct ContactMemory {
     LevelMapping mapping;
@@ -109,7 +116,7 @@ struct ContactMemory {
     ContactVotes votes;
     RegistrationScratch registration;
     std::vector<StripEvidence> evidence;
-    std::vector<double> missing;
+    FloorMap floor;
 };
 
 /// Forgets everything; `mapper` is that of the images to come.

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "flownav/obstacles/floor_comparison.h"
@@ -30,6 +31,13 @@ void reserve(ContactVotes& votes, std::size_t height);
 void vote_for_contacts(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
                        const FloorComparison& comparison, double noise, const StripRange& strips,
                        ContactVotes& out);
+
+/// How much better the pixels of a strip above a contact at `forward_m` move as floor than as an upright
+/// surface that stands there: mean difference of their costs. Weak texture tells, when there are many pixels; a
+/// surface without any gives 0. Empty when too few pixels can be compared.
+std::optional<double> floor_preference(const LevelImage& reference, const LevelImage& newer,
+                                       const PairWarp& warp, const FloorComparison& comparison, double noise,
+                                       int strip, double forward_m);
 
 /// Score of a contact in one cell: the sum over three strips of the best of three cells.
 float contact_score(const StripGrid& grid, const std::vector<float>& votes, int cell, int strip);

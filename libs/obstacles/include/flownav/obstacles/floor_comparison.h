@@ -15,6 +15,7 @@ struct FloorCell {
     std::uint16_t misfits = 0;   ///< of these: not as bright as the floor there was
     std::uint16_t floor = 0;     ///< informative pixels that moved as the floor does
     std::uint16_t not_floor = 0;  ///< informative pixels that did not
+    float preference = 0.0F;      ///< sum over the pixels: how much better floor fits than something nearer
 };
 
 /// True when a tenth of the pixels of a cell lie on edges.
@@ -57,6 +58,8 @@ struct FloorComparison {
     std::vector<float> steepness2;
     std::vector<unsigned> row_counts;
     std::vector<unsigned> row_evidence;
+    std::vector<float> row_nearer;
+    std::vector<float> row_preference;
 };
 
 /// Room for images of this size, so that no comparison allocates.
@@ -66,6 +69,11 @@ void reserve(FloorComparison& comparison, std::size_t width, std::size_t height)
 /// says the floor came. `noise`: standard deviation of differences of grey levels.
 void compare_with_floor(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
                         double noise, const StripRange& strips, FloorComparison& out);
+
+/// After compare_with_floor(): fills FloorCell::preference. Weak texture that no single pixel shows tells in
+/// the sum whether it moves as floor or as something a quarter nearer.
+void measure_preferences(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
+                         double noise, FloorComparison& out);
 
 /// Pixel `pixel` of `data.misfits`.
 Misfit misfit_at(const FloorComparison& data, const LevelImage& newer, int pixel);
