@@ -68,7 +68,8 @@ FloorSight floor_at(const ContactScan& scan, double forward_m, double right_m, d
     if (!(strip >= 0.0 && strip < static_cast<double>(scan.strips.size()))) return FloorSight::NotSeen;
     const int i = static_cast<int>(strip);
     if (forward_m + half_m <= floor_to_m(scan, i)) return FloorSight::Confirmed;
-    const bool is_unconfirmed = forward_m >= unconfirmed.from_m && forward_m < looked_to_m(scan, i, unconfirmed);
+    const bool is_unconfirmed =
+        forward_m >= unconfirmed.from_m && forward_m < looked_to_m(scan, i, unconfirmed);
     return is_unconfirmed ? FloorSight::Unconfirmed : FloorSight::NotSeen;
 }
 

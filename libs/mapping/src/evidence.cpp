@@ -10,12 +10,12 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double seen_obstacle = 0.36;  // by a point that is surely in its cell; two cycles make it occupied
-// By a contact of the scan, which two scans or many votes told: at its near end there was floor until now, and
-// one sight more must outweigh it.
+// By a contact of the scan, which two scans or many votes told: at its near end there was floor until now,
+// and one sight more must outweigh it.
 constexpr double seen_contact = 0.2;
 constexpr double says_nothing = 0.5;
 constexpr double seen_nothing = 0.55;  // by a scan that would have seen most things there, and saw none
-constexpr double seen_floor = 0.57;  // weaker: a block of floor before a thin leg says little about the leg
+constexpr double seen_floor = 0.57;    // weaker: a block of floor before a thin leg says little about the leg
 
 /// A point whose range is uncertain by more than half a cell says less about that one cell.
 double p_free(const ObstaclePoint& point, double cell_m) {

@@ -145,8 +145,8 @@ Forecast CollisionChecker::forecast(const GroundMemory& ground, const Surroundin
     forecast.unseen =
         holds_under_outline(now, on, [&](const Vector2d& p_m) { return !ground.is_seen(p_m, now.time_s); });
     forecast.unscanned = forecast.unseen && holds_under_outline(now, on, [&](const Vector2d& p_m) {
-        return !ground.is_seen(p_m, now.time_s) && !ground.is_scanned(p_m, now.time_s);
-    });
+                             return !ground.is_seen(p_m, now.time_s) && !ground.is_scanned(p_m, now.time_s);
+                         });
     forecast.unconfirmed = holds_under_outline(
         now, on, [&](const Vector2d& p_m) { return ground.is_unconfirmed(p_m, now.time_s); });
     return forecast;

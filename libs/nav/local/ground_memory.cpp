@@ -76,9 +76,8 @@ void GroundMemory::note(const ContactScan& scan, double time_s, const Pose2& T_m
         }
     };
     for_each_floor_cell(scan, T_map_robot, cells_.frame(), {0.0, params_.unconfirmed_within_m}, note_sight);
-    for_each_floor_cell(scan, T_map_robot, cells_.frame(), looked_through, [&](const Vector2i& cell, FloorSight) {
-        look_through(cell, time_s);
-    });
+    for_each_floor_cell(scan, T_map_robot, cells_.frame(), looked_through,
+                        [&](const Vector2i& cell, FloorSight) { look_through(cell, time_s); });
 }
 
 /// Forgets an obstacle that the map no longer shows after some scans in a row saw nothing there.
@@ -172,7 +171,8 @@ bool GroundMemory::is_unconfirmed(const Vector2d& at_m, double time_s) const {
 bool GroundMemory::is_scanned(const Vector2d& at_m, double time_s) const {
     const Vector2i cell = cells_.frame().cell_of(at_m);
     const Known* const known = cells_.find(cell);
-    return known && known->scans >= scans_min && at(cell, time_s) == Ground::Unknown && time_s <= known->until_s;
+    return known && known->scans >= scans_min && at(cell, time_s) == Ground::Unknown &&
+           time_s <= known->until_s;
 }
 
 bool GroundMemory::is_confirmed(const Vector2d& at_m, double time_s) const {

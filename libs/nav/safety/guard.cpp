@@ -12,6 +12,7 @@ constexpr double standing_mps = 0.01;
 constexpr double slowest_mps = 0.02;  // of the outline: slower is a stop
 constexpr int halvings = 5;           // of the search for the fastest speed
 constexpr double rounding_m = 1e-7;
+constexpr double scan_turn_max_rad = 0.3;  // since the last contact scan, to drive faster than a crawl
 
 MotionCommand scaled(const MotionCommand& command, double share) {
     return {command.v_mps * share, command.omega_radps * share};
@@ -53,6 +54,7 @@ void Guard::scanned(const ContactScan& scan, double time_s, const Pose2& T_map_r
     has_scans_ = true;
     if (scan.gate != ContactGate::Open) return;
     ground_.note(scan, time_s, T_map_robot);
+    scan_yaw_rad_ = T_map_robot.yaw_rad + scan.T_robot_scan.yaw_rad;
 }
 
 void Guard::proposed(double time_s, const MotionCommand& command) {
@@ -164,9 +166,21 @@ Fault Guard::objection(const Surroundings& now, const MotionCommand& candidate) 
         return {GuardReason::UnconfirmedAhead,
                 "ground on the way was in view and was not confirmed as floor"};
     }
+    if (!crawls && is_unscanned(now, candidate)) {
+        return {GuardReason::UnconfirmedAhead,
+                "has turned since the last contact scan: what stands ahead of it now "
+                "shows when it moves"};
+    }
     const bool slow = fast_mps <= params_.collision_checker.unconfirmed_mps + rounding_m;
     if (ahead.unseen && !ahead.unscanned && slow && !probing_since_s_) return {};
     return ahead.unseen ? objection_to_unseen(crawls) : objection_to_speed(now, candidate);
+}
+
+/// True when the robot is to drive where no contact scan has looked: scans need travel, and it has turned.
+bool Guard::is_unscanned(const Surroundings& now, const MotionCommand& candidate) const {
+    if (!has_scans_ || candidate.v_mps <= 0.0) return false;
+    return scan_yaw_rad_ &&
+           std::abs(wrap_angle(now.T_map_robot.yaw_rad - *scan_yaw_rad_)) > scan_turn_max_rad;
 }
 
 /// Why the robot may not drive over ground that it has neither seen nor scanned; empty when it may crawl on.

@@ -76,7 +76,7 @@ class State::Impl {
     BlockClasses classes_;
     Reconstruction surroundings_;
     obstacles::ContactMemory contact_memory_;
-    ContactScan contacts_;  ///< of the last scan
+    ContactScan contacts_;     ///< of the last scan
     Pose2 T_start_scan_;       ///< of contacts_
     Pose2 T_start_next_scan_;  ///< of the scan under way
     ShortBlocks short_blocks_;

@@ -61,7 +61,8 @@ TEST(ContactFloor, EndsAtTheNearEndOfAnObstacleAndOfThoseBesideIt) {
         EXPECT_NEAR(floor_to_m(scan, strip(scan, tangent)), 1.5, 1e-9) << tangent;
     for (const double tangent : {0.025, 0.225})
         EXPECT_NEAR(floor_to_m(scan, strip(scan, tangent)), 3.0, 1e-9) << tangent;
-    EXPECT_EQ(floor_at(scan, 1.8, 0.125 * 1.8, 0.0, {0.0, 9.0}), FloorSight::NotSeen) << "hidden, not unconfirmed";
+    EXPECT_EQ(floor_at(scan, 1.8, 0.125 * 1.8, 0.0, {0.0, 9.0}), FloorSight::NotSeen)
+        << "hidden, not unconfirmed";
 }
 
 TEST(ContactFloor, AnUnknownStripHasNoneEvenWhenItHoldsADistance) {
@@ -88,10 +89,11 @@ TEST(ContactFloor, ItsCellsAreThoseThatTheRobotSawAtTheEndOfTheCycle) {
     const Pose2 T_map_robot{2.0, -1.0, 1.1};
     const GridFrame frame{Vector2d(0.03, 0.01), 0.05};
     std::set<std::pair<int, int>> cells;
-    for_each_floor_cell(scan, T_map_robot, frame, {0.0, 0.0}, [&](const Eigen::Vector2i& cell, FloorSight sight) {
-        EXPECT_EQ(sight, FloorSight::Confirmed);
-        EXPECT_TRUE(cells.insert({cell.x(), cell.y()}).second);
-    });
+    for_each_floor_cell(scan, T_map_robot, frame, {0.0, 0.0},
+                        [&](const Eigen::Vector2i& cell, FloorSight sight) {
+                            EXPECT_EQ(sight, FloorSight::Confirmed);
+                            EXPECT_TRUE(cells.insert({cell.x(), cell.y()}).second);
+                        });
     for (const double forward_m : {0.5, 1.0, 1.9}) {
         const Vector2d p = transform(T_map_robot, point_of(scan, 0.25, forward_m));
         EXPECT_EQ(cells.count({frame.cell_of(p).x(), frame.cell_of(p).y()}), 1U) << forward_m;

@@ -63,11 +63,34 @@ TEST(ContactsInMaps, APostToTheRightIsOccupiedToTheRightAfterTwoScans) {
     }
 }
 
-TEST(ContactsInMaps, OneSightIsLessThanThatOfAPointAndEnoughForTheGuard) {
-    const Maps once(set_of(post(1.0)), 1);
-    Maps point({0.0, {}, {testing::point_at(2.05, -0.55)}, {}}, 1);
-    EXPECT_LT(once.occupied(2.05, -0.55), point.occupied(2.05, -0.55) - 0.01);
-    EXPECT_GT(once.occupied(2.05, -0.55), 1.0 - OccupancyLimits().guard_obstacle_below);
+TEST(ContactsInMaps, OneSightIsEnoughForTheGuardEvenWhereFloorWasSeenBefore) {
+    Maps maps(set_of(free_scan(3.0)), 10);
+    EXPECT_LT(maps.occupied(2.05, -0.55), 0.4);
+    maps.local.insert(set_of(post(1.0)));
+    EXPECT_GT(occupancy(maps.local.grid(), 2.05, -0.55), 1.0 - OccupancyLimits().guard_obstacle_below);
+}
+
+TEST(ContactsInMaps, ScansThatSeeNothingMakeAnObstacleUnknownAndNotFree) {
+    ContactScan seen = open_scan();
+    block(seen, 0.2, 0.3, 1.55);
+    Maps maps(set_of(seen), 1);
+    const auto here = [&] { return maps.occupied(1.55, -0.25 * 1.55); };
+    const double before = here();
+    maps.insert(set_of(open_scan()));
+    EXPECT_LT(here(), before - 0.02);
+    for (int i = 0; i < 20; ++i) maps.insert(set_of(open_scan()));
+    EXPECT_NEAR(here(), unknown, tolerance);
+}
+
+TEST(ContactsInMaps, AScanThatWouldNotSeeAnObstacleDoesNotDoubtIt) {
+    for (const double near_m : {0.75, 2.25}) {
+        ContactScan seen = open_scan();
+        block(seen, 0.2, 0.3, near_m);
+        Maps maps(set_of(seen), 1);
+        const double before = maps.occupied(near_m, -0.25 * near_m);
+        maps.insert(set_of(open_scan()));
+        EXPECT_NEAR(maps.occupied(near_m, -0.25 * near_m), before, tolerance) << near_m;
+    }
 }
 
 TEST(ContactsInMaps, AScanOfAnEarlierMomentLandsWhereItWasTaken) {

@@ -204,5 +204,49 @@ TEST(GroundMemory, AnUnconfirmedCellBetweenTwoFreeOnesIsPassedAndOneBesideThemIs
         EXPECT_TRUE(memory.is_unconfirmed(at_m, 3.0)) << at_m.transpose();
 }
 
+TEST(GroundMemory, GroundThatTwoScansLookedAtIsScannedUntilAnObstacleIsSeenThere) {
+    GroundMemory memory{GroundMemoryParams{}};
+    const Vector2d ahead_m(0.85, 0.05);
+    const Vector2d behind_m(-0.85, 0.05);
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_FALSE(memory.is_scanned(ahead_m, i));
+        memory.note(testing::open_scan(), i, here);
+    }
+    EXPECT_TRUE(memory.is_scanned(ahead_m, 1.0));
+    EXPECT_FALSE(memory.is_scanned(behind_m, 1.0));
+    memory.note(map_with(ahead_m, 0.1F), 1.0, here);
+    EXPECT_FALSE(memory.is_scanned(ahead_m, 1.0));
+}
+
+TEST(GroundMemory, AnObstacleThatTheMapNoLongerShowsIsForgottenAfterThreeScansThatSeeNothing) {
+    for (const double right : {-0.25, 0.25}) {
+        GroundMemory memory{GroundMemoryParams{}};
+        const Vector2d at_m(1.45, -right * 1.45);
+        const Vector2d mirrored_m(1.45, right * 1.45);
+        memory.note(map_with(at_m, 0.1F), 0.0, here);
+        COccupancyGridMap2D both = map_with(at_m, 0.1F);
+        both.setPos(1.45F, static_cast<float>(mirrored_m.y()), 0.1F);
+        memory.note(both, 0.0, here);
+        ContactScan scan = testing::open_scan();
+        testing::block(scan, -right - 0.1, -right + 0.1, 1.35);  // hides the mirrored one
+        for (int i = 1; i <= 3; ++i) {
+            EXPECT_EQ(memory.at(at_m, 0.1 * i), Ground::Occupied) << i;
+            memory.note(scan, 0.1 * i, here);
+        }
+        EXPECT_EQ(memory.at(at_m, 0.4), Ground::Unknown);
+        EXPECT_EQ(memory.at(mirrored_m, 0.4), Ground::Occupied);
+    }
+}
+
+TEST(GroundMemory, AnObstacleThatTheMapShowsIsNotForgottenForScansThatMissIt) {
+    GroundMemory memory{GroundMemoryParams{}};
+    const Vector2d at_m(1.45, 0.05);
+    for (int i = 0; i < 10; ++i) {
+        memory.note(map_with(at_m, 0.1F), 0.1 * i, here);
+        memory.note(testing::open_scan(), 0.1 * i, here);
+    }
+    EXPECT_EQ(memory.at(at_m, 1.0), Ground::Occupied);
+}
+
 }  // namespace
 }  // namespace flownav::nav

@@ -108,11 +108,40 @@ TEST(GuardScan, StripsMissingBesideTheConeDoNotSlowItDown) {
     EXPECT_NEAR(floor.drive.robot.motion().v_mps, 0.4, 1e-9);
 }
 
-TEST(GuardScan, OnFloorWithoutTextureItCrawlsAndGoesOn) {
+TEST(GuardScan, OnFloorWithoutTextureItDrivesSlowlyOverGroundThatScansLookedAt) {
     FloorDrive floor(0.0);
     floor.go(30.0);
-    EXPECT_GT(floor.drive.robot.pose().x_m, 2.0) << floor.drive.safety.why;
-    EXPECT_LE(floor.drive.robot.motion().v_mps, 0.1 + 1e-9);
+    EXPECT_GT(floor.drive.robot.pose().x_m, 4.0) << floor.drive.safety.why;
+    EXPECT_LE(floor.drive.robot.motion().v_mps, 0.3 + 1e-9);
+    EXPECT_GT(floor.drive.robot.motion().v_mps, 0.2);
+}
+
+TEST(GuardScan, OnFloorWithoutTextureItCrawlsWhereNoStripShowsAnything) {
+    FloorDrive floor(0.0, [](ContactScan& scan) {
+        for (ContactStrip& strip : scan.strips) strip.seen = false;
+    });
+    floor.go(30.0);
+    EXPECT_EQ(floor.drive.safety.reason, GuardReason::UnseenAhead);
+    EXPECT_LT(floor.drive.robot.pose().x_m, 1.0) << "as far as it may crawl, not farther";
+}
+
+TEST(GuardScan, AfterATurnItCrawlsUntilAScanLooksWhereItGoes) {
+    FloorDrive floor(100.0);
+    floor.drive.elsewhere = 0.8F;
+    floor.go(4.0);
+    for (const double omega_radps : {0.5, -0.5}) {
+        floor.drive.wish = {0.0, omega_radps};
+        const auto scan = floor.drive.scan;
+        floor.drive.scan = {};  // scans need travel
+        floor.go(2.0);
+        floor.drive.wish = {0.4, 0.0};
+        floor.go(1.0);
+        EXPECT_EQ(floor.drive.safety.reason, GuardReason::UnconfirmedAhead) << floor.drive.safety.why;
+        EXPECT_LE(floor.drive.robot.motion().v_mps, 0.1 + 1e-9);
+        floor.drive.scan = scan;
+        floor.go(3.0);
+        EXPECT_NEAR(floor.drive.robot.motion().v_mps, 0.4, 1e-9);
+    }
 }
 
 TEST(GuardScan, WithTheGateClosedGroundIsUnknownAndNeverUnconfirmed) {

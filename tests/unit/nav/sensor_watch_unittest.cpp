@@ -157,8 +157,8 @@ TEST(SensorWatch, ASectorIsBlindWhenItShowsTooLittleForLongerThanTheLimit) {
     }
 }
 
-/// Fault after a second in which the right sector has no vectors, and `decided` of its 10 strips of the contact scan
-/// show floor or an obstacle.
+/// Fault after a second in which the right sector has no vectors, and `decided` of its 10 strips of the
+/// contact scan show floor or an obstacle.
 Fault fault_beside_strips(int decided) {
     SensorWatch watch{SensorWatchParams()};
     Fault fault;
@@ -175,6 +175,48 @@ Fault fault_beside_strips(int decided) {
 TEST(SensorWatch, ASectorThatTheContactScanDecidesIsNotBlind) {
     EXPECT_FALSE(fault_beside_strips(5));
     EXPECT_EQ(fault_beside_strips(4).reason, GuardReason::SensorBlind);
+}
+
+/// Fault after a second of reports that `change` made of a right sector without vectors, while scans run.
+template <class Change>
+Fault fault_of(const Change& change) {
+    SensorWatch watch{SensorWatchParams()};
+    Fault fault;
+    for (int i = 0; i < 50; ++i) {
+        SensorReport report = report_at(i * field_s, FieldStatus::Ok, {60, 60, 60, 0});
+        report.scans = report.sees_edges = true;
+        change(report);
+        watch.sensed(report);
+        fault = watch.fault(i * field_s);
+    }
+    return fault;
+}
+
+TEST(SensorWatch, ASectorWithoutVectorsIsBlindOnlyWhenItIsBlackOrNoScansSeePlainThings) {
+    EXPECT_FALSE(fault_of([](SensorReport&) {})) << "a blank wall";
+    EXPECT_EQ(fault_of([](SensorReport& r) { r.unlit[3] = true; }).reason, GuardReason::SensorBlind);
+    EXPECT_FALSE(fault_of([](SensorReport& r) { r.unlit[0] = true; })) << "it has vectors";
+    EXPECT_EQ(fault_of([](SensorReport& r) { r.scans = false; }).reason, GuardReason::SensorBlind);
+}
+
+TEST(SensorWatch, OnAPlainFloorTheMotionThatWheelsTellIsEnoughWhileScansSeeEdges) {
+    const auto plain = [](SensorReport& r) {
+        r.status = FieldStatus::NoTexture;
+        r.confident = {};
+    };
+    EXPECT_FALSE(fault_of(plain));
+    EXPECT_EQ(fault_of([&](SensorReport& r) {
+                  plain(r);
+                  r.carried_s = 0.04;
+              }).reason,
+              GuardReason::SensorBlind)
+        << "nobody tells the motion";
+    EXPECT_EQ(fault_of([&](SensorReport& r) {
+                  plain(r);
+                  r.sees_edges = false;
+              }).reason,
+              GuardReason::SensorBlind)
+        << "a cloth over the lens";
 }
 
 TEST(SensorWatch, ASectorWithJustEnoughVectorsIsNotBlind) {

@@ -26,9 +26,10 @@ constexpr double way_error_min = 0.015;
 constexpr double way_error_max = 0.05;
 constexpr double own_share = 0.15;   // of the votes of three strips: those of the middle one
 constexpr double sure_from_m = 1.0;  // nearer, no contact is believed that was not seen before
-constexpr double near_wall_m = 1.0;  // farther, a wall is believed that was seen before: lines on the floor move
+constexpr double near_wall_m =
+    1.0;  // farther, a wall is believed that was seen before: lines on the floor move
 constexpr double floor_preference_max = 0.4;  // of the costs above a contact
-constexpr int confirming_scans = 2;  // so many scans back
+constexpr int confirming_scans = 2;           // so many scans back
 constexpr double same_place_m = 0.2;
 constexpr double same_place_share = 0.12;     // of the distance
 constexpr double informative_share = 0.0026;  // of all pixels: so many can tell whether the near floor is one
@@ -216,7 +217,8 @@ FittedPair fit_pair(ContactMemory& memory, int back) {
     pair.measured = pair_motion(reference, newer, memory.work.mount);
     PairPrior prior;
     prior.forward_m =
-        std::clamp(memory.work.way_error, way_error_min, way_error_max) * std::abs(pair.measured.forward_m) + 1e-4;
+        std::clamp(memory.work.way_error, way_error_min, way_error_max) * std::abs(pair.measured.forward_m) +
+        1e-4;
     prior.right_m = 0.008 * std::abs(pair.measured.forward_m) + 1e-4;
     pair.fitted =
         register_floor(reference.image, newer.image, pair.measured, prior, memory.noise, memory.registration);

@@ -9,15 +9,16 @@
 namespace flownav::obstacles {
 namespace {
 
-constexpr float floor_against = 0.1F;   // vote of an informative pixel of floor
-constexpr float usual_misfits = 0.15F;  // share of a row above which its votes count less than half
+constexpr float floor_against = 0.04F;       // vote of an informative pixel of floor
+constexpr float preference_against = 0.06F;  // vote of a pixel, times how much better it fits floor
+constexpr float usual_misfits = 0.15F;       // share of a row above which its votes count less than half
 constexpr double contact_nearest_m = 0.6;
 constexpr double contact_farthest_m = 5.0;
 constexpr double every_cell_m = 1.4;  // nearer: every second cell is a candidate
 constexpr double plateau_share = 0.93;
 constexpr int preferring_rows = 32;  // above a contact: as many tell whether they are floor
 constexpr int preferring_min = 80;   // pixels
-constexpr int voters_max = 128;  // of one strip; of more, every second or third votes, with more weight
+constexpr int voters_max = 128;      // of one strip; of more, every second or third votes, with more weight
 
 /// Rows in which many strips do not fit weigh little: there the comparison itself is poor.
 void weigh_rows(const StripGrid& grid, const StripRange& strips, const std::vector<FloorCell>& cells,
@@ -81,8 +82,8 @@ struct Voters {
 };
 
 /// Fills out.votes and out.steep_votes: a row for each cell of voters, a column for each candidate.
-void collect_votes(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp, const FloorComparison& comparison,
-                   double noise, const Voters& voters, ContactVotes& out) {
+void collect_votes(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
+                   const FloorComparison& comparison, double noise, const Voters& voters, ContactVotes& out) {
     const std::size_t columns = out.candidates.size();
     std::fill(out.votes.begin(), out.votes.end(), 0.0F);
     std::fill(out.steep_votes.begin(), out.steep_votes.end(), 0.0F);
@@ -112,7 +113,8 @@ void add_up(const StripGrid& grid, const std::vector<FloorCell>& cells, int stri
     std::size_t first = columns;
     for (int cell = grid.cells - 1; cell >= 0; --cell) {
         while (first > 0 && out.candidates[first - 1] >= cell) --first;
-        const float floor = floor_against * cells[grid.index(cell, strip)].floor;
+        const FloorCell& seen = cells[grid.index(cell, strip)];
+        const float floor = floor_against * seen.floor + preference_against * std::max(0.0F, seen.preference);
         const float* const row = votes.data() + static_cast<std::size_t>(cell) * columns;
         for (std::size_t c = first; c < columns; ++c) {
             sum[c] += row[c] - floor;

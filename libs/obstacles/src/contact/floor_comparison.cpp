@@ -17,13 +17,13 @@ constexpr int tile_px = 16;  // of the local difference of brightness
 constexpr float offset_clip_per_noise = 2.5F;
 constexpr float offset_prior_px = 6.0F;  // pixels without a difference, added to each tile
 constexpr double near_floor_m = 1.75;
-constexpr int samples_min = 100;      // costs that tell the noise
-constexpr double usual_cost = 0.227;  // median of the costs when the noise is right: that of chi^2 / 2
-constexpr int sparse_px = 8;          // spacing of the pixels that measure gain and fall-off
+constexpr int samples_min = 100;         // costs that tell the noise
+constexpr double usual_cost = 0.227;     // median of the costs when the noise is right: that of chi^2 / 2
+constexpr int sparse_px = 8;             // spacing of the pixels that measure gain and fall-off
 constexpr double quarter_nearer = 1.25;  // of inverse distance
-constexpr int noise_rows = 4;         // every fourth row measures the noise
-constexpr float dark_grey = 20.0F;    // darker pixels do not tell gain and fall-off
-constexpr double ratio_limit = 0.1;   // of brightness, from its median
+constexpr int noise_rows = 4;            // every fourth row measures the noise
+constexpr float dark_grey = 20.0F;       // darker pixels do not tell gain and fall-off
+constexpr double ratio_limit = 0.1;      // of brightness, from its median
 
 /// Columns begin to end - 1.
 struct Columns {
@@ -191,7 +191,8 @@ void count_row(const Pair& pair, int v, const Columns& columns, FloorComparison&
         count_evidence(out.row_evidence.data(), begin, end, cell);
         if (cell.misfits == before) return;
         for (int u = begin; u < end; ++u)
-            if ((counts[u] & rows::misfit_one) != 0) out.unsorted.push_back({strip, v * pair.newer.width + u});
+            if ((counts[u] & rows::misfit_one) != 0)
+                out.unsorted.push_back({strip, v * pair.newer.width + u});
     });
 }
 
@@ -201,7 +202,8 @@ void sort_by_strip(const StripGrid& grid, FloorComparison& out) {
     for (const auto& m : out.unsorted) ++out.first_misfit[static_cast<std::size_t>(m.strip) + 2];
     for (std::size_t i = 2; i < out.first_misfit.size(); ++i) out.first_misfit[i] += out.first_misfit[i - 1];
     out.misfits.resize(out.unsorted.size());
-    for (const auto& m : out.unsorted) out.misfits[out.first_misfit[static_cast<std::size_t>(m.strip) + 1]++] = m.pixel;
+    for (const auto& m : out.unsorted)
+        out.misfits[out.first_misfit[static_cast<std::size_t>(m.strip) + 1]++] = m.pixel;
 }
 
 /// Median of the costs, over a histogram.

@@ -25,9 +25,9 @@ struct CostRow {
     const float* above;  ///< the row and its neighbours in the newer image
     const float* now;
     const float* below;
-    const float* before;  ///< grey level of the floor in the reference; NaN: outside
+    const float* before;         ///< grey level of the floor in the reference; NaN: outside
     const float* before_nearer;  ///< the same of something a quarter nearer; null: not asked for
-    const float* offset;  ///< local difference of brightness
+    const float* offset;         ///< local difference of brightness
     Places places;
     float v;
     float w0, w1;      ///< inverse distance of the floor: w0 + w1 u
@@ -74,10 +74,11 @@ const Functions& functions();
 const Functions& portable_functions();
 
 // Properties of a pixel, in CostRow::counts; at most 255 pixels may be added up.
-constexpr Packed seen_one = 1U;           ///< the camera looked there
-constexpr Packed edge_one = 1U << 8;      ///< on an edge of any direction
-constexpr Packed compared_one = 1U << 16; ///< its place in the reference is known, by the motion of the floor
-constexpr Packed misfit_one = 1U << 24;   ///< compared: not as bright as the floor was there
+constexpr Packed seen_one = 1U;       ///< the camera looked there
+constexpr Packed edge_one = 1U << 8;  ///< on an edge of any direction
+constexpr Packed compared_one =
+    1U << 16;                            ///< its place in the reference is known, by the motion of the floor
+constexpr Packed misfit_one = 1U << 24;  ///< compared: not as bright as the floor was there
 // In CostRow::evidence. Informative: a quarter more inverse depth would show in the brightness of the pixel.
 constexpr Packed floor_one = 1U;            ///< informative, and as bright as the floor was there
 constexpr Packed not_floor_one = 1U << 16;  ///< informative misfit
@@ -93,7 +94,8 @@ constexpr float displacement2_per_tolerance2 = 4.0F;  ///< the same in tolerance
 constexpr float position_error_px = 0.25F;            ///< of a place in the reference
 constexpr float position_error_per_flow = 0.008F;     ///< added in quadrature, a pixel of flow
 constexpr float cost_max = 4.0F;
-constexpr float fit_cost = 1.0F;  ///< of an upright surface: a pixel with less votes for it
-constexpr float against = 2.5F;   ///< vote of a pixel with more: the votes of noise cancel
+constexpr float fit_cost = 1.0F;       ///< of an upright surface: a pixel with less votes for it
+constexpr float least_telling = 0.3F;  ///< least weight of a pixel that fits contacts everywhere
+constexpr float against = 2.5F;        ///< vote of a pixel with more: the votes of noise cancel
 
 }  // namespace flownav::obstacles::rows

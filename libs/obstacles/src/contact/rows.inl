@@ -57,8 +57,7 @@ void warp(const Reference& reference, const Places& p, int begin, int end, float
 inline void costs_of(const CostRow& r, int begin, int end, const float* __restrict above,
                      const float* __restrict now, const float* __restrict below,
                      const float* __restrict before, const float* __restrict offset, float* __restrict cost,
-                     float* __restrict steepness2, Packed* __restrict counts,
-                     Packed* __restrict evidence) {
+                     float* __restrict steepness2, Packed* __restrict counts, Packed* __restrict evidence) {
     const Places p = r.places;
     const float v = r.v, w0 = r.w0, w1 = r.w1, bx = r.bx, by = r.by, bz = r.bz;
     const float gain = r.gain, noise2 = r.noise * r.noise;
@@ -78,8 +77,8 @@ inline void costs_of(const CostRow& r, int begin, int end, const float* __restri
         const float g2 = gx * gx + gy * gy;
         const float steep2 = 0.25F * (dx * dx + dy * dy);
         const float flow2 = (x - at) * (x - at) + (y - v) * (y - v);
-        const float t2 = position_error_px * position_error_px +
-                         position_error_per_flow * position_error_per_flow * flow2;
+        const float t2 =
+            position_error_px * position_error_px + position_error_per_flow * position_error_per_flow * flow2;
         // |gradient . d|, d: the displacement that a quarter more inverse depth causes.
         const float parallax = __builtin_fabsf((gx * (bx - x * bz) + gy * (by - y * bz)) * w);
         const float e = now[u] - gain * before[u] - offset[u];
@@ -90,8 +89,8 @@ inline void costs_of(const CostRow& r, int begin, int end, const float* __restri
         const Packed misfit = c > misfit_cost ? misfit_one : 0U;
         const Packed fits = c < floor_cost ? floor_one : 0U;
         const Packed contradicts = c > misfit_cost ? not_floor_one : 0U;
-        const int informative = (parallax > parallax_min) & (g2 > gradient2_min) &
-                                (parallax * parallax > displacement2 * g2);
+        const int informative =
+            (parallax > parallax_min) & (g2 > gradient2_min) & (parallax * parallax > displacement2 * g2);
         cost[u] = c;
         steepness2[u] = steep2;
         counts[u] = seen | (g2 > edge2 ? edge_one : 0U) | compared | (compared != 0 ? misfit : 0U);
@@ -100,7 +99,8 @@ inline void costs_of(const CostRow& r, int begin, int end, const float* __restri
 }
 
 void costs(const CostRow& r, int begin, int end) {
-    costs_of(r, begin, end, r.above, r.now, r.below, r.before, r.offset, r.cost, r.steepness2, r.counts, r.evidence);
+    costs_of(r, begin, end, r.above, r.now, r.below, r.before, r.offset, r.cost, r.steepness2, r.counts,
+             r.evidence);
 }
 
 inline void preferences_of(const CostRow& r, int begin, int end, const float* __restrict now,
@@ -179,7 +179,8 @@ void vote(const Reference& reference, const Vote& p, const float* inverse, int c
             given_of[i] = grey[i] == grey[i] ? given : 0.0F;
         }
         // A pixel that fits contacts everywhere tells little about any.
-        const float weight = p.weight * (1.0F - static_cast<float>(fits) / static_cast<float>(n));
+        const float misfits = 1.0F - static_cast<float>(fits) / static_cast<float>(n);
+        const float weight = p.weight * larger(least_telling, misfits);
         for (int i = 0; i < n; ++i) sums[from + i] += weight * given_of[i];
     }
 }

@@ -10,10 +10,11 @@ namespace flownav::obstacles {
 namespace {
 
 // Free floor.
-constexpr int floor_min = 3;              // pixels of floor in a cell that is floor
+constexpr int floor_min = 3;            // pixels of floor in a cell that is floor
 constexpr float preference_min = 0.3F;  // of the costs of floor to those of something nearer
-constexpr double sure_share = 0.6;       // of the usual preference of a row: least of a cell with floor pixels
-constexpr double least_share = 0.65;     // of the usual preference of a row: least of a cell
+constexpr double usual_max = 1.2;       // more texture is not asked for
+constexpr double sure_share = 0.6;      // of the usual preference of a row: least of a cell with floor pixels
+constexpr double least_share = 0.65;    // of the usual preference of a row: least of a cell
 constexpr int preferring_min = 64;      // pixels
 constexpr double misfit_share = 0.1;    // of the pixels of a cell that moves as floor
 constexpr double not_floor_share = 0.34;  // of them: largest number of pixels that are not
@@ -38,15 +39,15 @@ float preference(const FloorCell& cell) {
 
 /// Median of the preferences of a group of rows: how much texture the floor shows there.
 double usual_preference(const StripGrid& grid, const std::vector<FloorCell>& cells, int cell,
-                       std::vector<double>& sorted) {
+                        std::vector<double>& sorted) {
     sorted.clear();
     for (int s = 0; s < grid.strips; ++s)
         if (cells[grid.index(cell, s)].compared > 0) sorted.push_back(preference(cells[grid.index(cell, s)]));
     return sorted.empty() ? 0.0 : nth_smallest(sorted, sorted.size() / 2);
 }
 
-/// True when a cell and its neighbours in the strip move as floor, however weak their texture. `least`: for the
-/// cell itself.
+/// True when a cell and its neighbours in the strip move as floor, however weak their texture. `least`: for
+/// the cell itself.
 bool moves_as_floor(const StripGrid& grid, const std::vector<FloorCell>& cells, int cell, int strip,
                     double least) {
     const FloorCell& here = cells[grid.index(cell, strip)];
@@ -57,8 +58,8 @@ bool moves_as_floor(const StripGrid& grid, const std::vector<FloorCell>& cells, 
         compared += cells[grid.index(c, strip)].compared;
     }
     return compared >= preferring_min && sum > preference_min * static_cast<float>(compared) &&
-           preference(here) > least &&
-           here.misfits <= misfit_share * here.compared && here.not_floor <= here.floor;
+           preference(here) > least && here.misfits <= misfit_share * here.compared &&
+           here.not_floor <= here.floor;
 }
 
 /// Which cells show floor.
@@ -70,7 +71,7 @@ void find_floor(const StripGrid& grid, const std::vector<FloorCell>& cells, Floo
         for (int s = 0; s < grid.strips; ++s)
             map.floor[grid.index(cell, s)] =
                 (has_floor_pixels(cells[grid.index(cell, s)]) &&
-                 preference(cells[grid.index(cell, s)]) > sure_share * usual) ||
+                 preference(cells[grid.index(cell, s)]) > sure_share * std::min(usual, usual_max)) ||
                 moves_as_floor(grid, cells, cell, s, least);
     }
 }

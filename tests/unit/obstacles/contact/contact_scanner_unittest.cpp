@@ -57,6 +57,13 @@ ContactScan drive(const LevelWorld& world, int cycles, double travel_m = 0.16, b
     return scan;
 }
 
+/// Floor with the contrast of a carpet.
+LevelWorld carpet() {
+    LevelWorld world;
+    world.contrast = 6.0;
+    return world;
+}
+
 /// Ranges of the contacts between two tangents.
 std::vector<double> contacts_between(const ContactScan& scan, double from, double to) {
     std::vector<double> ranges_m;
@@ -83,7 +90,7 @@ void expect_contacts_at(const ContactScan& scan, double right, double forward_m)
 constexpr double ahead_m = 2.5 - 0.64;  // of a screen at 2.5 m, after five cycles
 
 TEST(ContactScan, AScreenOfOneColourOnTheRightIsAContactOnTheRight) {
-    LevelWorld world;
+    LevelWorld world = carpet();
     world.screens.push_back({2.5, -0.75, 0.2, 0.5, 15.0});
     const ContactScan scan = drive(world, 5);
     ASSERT_EQ(scan.gate, ContactGate::Open);
@@ -91,7 +98,7 @@ TEST(ContactScan, AScreenOfOneColourOnTheRightIsAContactOnTheRight) {
 }
 
 TEST(ContactScan, AScreenOfOneColourOnTheLeftIsAContactOnTheLeft) {
-    LevelWorld world;
+    LevelWorld world = carpet();
     world.screens.push_back({2.5, 0.75, 0.2, 0.5, 15.0});
     expect_contacts_at(drive(world, 5), -0.75 / ahead_m, ahead_m);
 }
@@ -104,7 +111,7 @@ TEST(ContactScan, TexturedFloorIsFreeAndHasNoContacts) {
         EXPECT_NE(strip.kind, BeamKind::Obstacle) << middle_tangent(scan, i);
         free += std::abs(middle_tangent(scan, i)) < 0.7 && strip.free_m > 1.5;
     }
-    EXPECT_GE(free, 24);
+    EXPECT_GE(free, 12) << "its waves have plain places";
 }
 
 TEST(ContactScan, FloorWithoutTextureIsUnknown) {
@@ -113,8 +120,50 @@ TEST(ContactScan, FloorWithoutTextureIsUnknown) {
     for (const ContactStrip& strip : drive(world, 5).strips) EXPECT_EQ(strip.kind, BeamKind::Unknown);
 }
 
-TEST(ContactScan, FloorBehindAContactIsNotFree) {
+TEST(ContactScan, WeakTextureThatNoPixelShowsIsFloorWhenManyTellOfIt) {
     LevelWorld world;
+    world.contrast = 0.0;
+    world.grain = 3.0;
+    int free = 0;
+    for (const ContactStrip& strip : drive(world, 6).strips) {
+        EXPECT_NE(strip.kind, BeamKind::Obstacle);
+        free += strip.free_m > 0.8;
+    }
+    EXPECT_GE(free, 8);
+}
+
+TEST(ContactScan, ItsPartsGiveTheSameScanInOneGoAndSpreadOverFields) {
+    LevelWorld world = carpet();
+    world.screens.push_back({2.5, -0.75, 0.2, 0.5, 15.0});
+    const ContactScan at_once = drive(world, 5);
+    const RayMapper mapper(camera());
+    ContactMemory memory;
+    restart(memory, mapper);
+    ContactScan scan;
+    for (int i = 0; i < 5; ++i) {
+        LevelView view;
+        view.T_world_camera.x_m = i * 0.16;
+        std::vector<std::uint8_t> pixels = doubled(draw(world, view), i);
+        ASSERT_TRUE(begin_scan(
+            memory, {{pixels.data(), 640, 480, 640}, mapper, view.T_world_camera, 0.0, 0.01, true}, {}));
+        std::fill(pixels.begin(), pixels.end(),
+                  std::uint8_t{0});  // the image is needed for the first part only
+        int parts = 1;
+        while (!continue_scan(memory, {}, scan)) ++parts;
+        EXPECT_EQ(parts, i == 0 ? 1 : 5);
+        EXPECT_FALSE(is_scanning(memory));
+        EXPECT_FALSE(continue_scan(memory, {}, scan)) << "there is no more";
+    }
+    ASSERT_EQ(scan.strips.size(), at_once.strips.size());
+    for (std::size_t i = 0; i < scan.strips.size(); ++i) {
+        EXPECT_EQ(scan.strips[i].kind, at_once.strips[i].kind);
+        EXPECT_EQ(scan.strips[i].contact_m, at_once.strips[i].contact_m);
+        EXPECT_EQ(scan.strips[i].free_m, at_once.strips[i].free_m);
+    }
+}
+
+TEST(ContactScan, FloorBehindAContactIsNotFree) {
+    LevelWorld world = carpet();
     world.screens.push_back({2.2, 0.0, 3.0, 1.5, 60.0});
     const ContactScan scan = drive(world, 5);
     const double forward_m = 2.2 - 0.64;
@@ -126,7 +175,7 @@ TEST(ContactScan, FloorBehindAContactIsNotFree) {
 }
 
 TEST(ContactScan, TapeOnTheFloorIsNoContact) {
-    LevelWorld world;
+    LevelWorld world = carpet();
     // A screen two millimetres high and painted on the floor for half a metre behind it.
     for (int i = 0; i < 50; ++i) world.screens.push_back({2.0 + 0.002 * i, 0.5, 0.8, 0.0006, 220.0});
     for (const ContactStrip& strip : drive(world, 5).strips) EXPECT_NE(strip.kind, BeamKind::Obstacle);
@@ -139,7 +188,7 @@ TEST(ContactScan, AnUnknownWayClosesTheGate) {
 }
 
 TEST(ContactScan, ShortCyclesAreAddedUp) {
-    LevelWorld world;
+    LevelWorld world = carpet();
     world.screens.push_back({2.5, -0.75, 0.2, 0.5, 15.0});
     const ContactScan scan = drive(world, 17, 0.04);
     ASSERT_EQ(scan.gate, ContactGate::Open);
@@ -147,7 +196,7 @@ TEST(ContactScan, ShortCyclesAreAddedUp) {
 }
 
 TEST(ContactScan, IsTheSameEveryTime) {
-    LevelWorld world;
+    LevelWorld world = carpet();
     world.screens.push_back({2.5, -0.75, 0.2, 0.5, 15.0});
     const ContactScan one = drive(world, 5);
     const ContactScan other = drive(world, 5);

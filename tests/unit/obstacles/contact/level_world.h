@@ -20,13 +20,21 @@ struct Screen {
 
 /// A textured floor z = 0 with screens, drawn into level images. World frame: x forward, y left, z up.
 struct LevelWorld {
-    double contrast = 40.0;  ///< of the floor
+    double contrast = 40.0;  ///< of the floor's waves
+    double grain = 0.0;      ///< largest deviation of squares of 2 cm from them
     std::vector<Screen> screens;
 
     double floor_grey(double x_m, double y_m) const {
         const double waves = std::sin(9 * x_m + 5 * y_m) + std::sin(13 * y_m - 4 * x_m) +
                              std::sin(7 * (x_m + y_m)) + std::sin(6 * x_m - 17 * y_m);
-        return 128.0 + contrast / 2 * waves;
+        return 128.0 + contrast / 2 * waves + grain * chance(x_m, y_m);
+    }
+
+    /// -1 .. 1, one number a square.
+    static double chance(double x_m, double y_m) {
+        const double seed = std::floor(x_m / 0.02) * 12.9898 + std::floor(y_m / 0.02) * 78.233;
+        const double number = std::sin(seed) * 43758.5453;
+        return 2.0 * (number - std::floor(number)) - 1.0;
     }
 };
 

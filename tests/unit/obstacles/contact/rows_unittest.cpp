@@ -42,19 +42,24 @@ std::vector<float> warped(const Functions& functions) {
     return out;
 }
 
-/// Cost, steepness and properties, one after the other.
+/// All that costs(), preferences(), edges() and differences() write, one after the other.
 std::vector<float> costs_of(const Functions& functions) {
     const std::vector<float> now = noisy_image(2);
     const std::vector<float> before = noisy_image(3);
     const std::vector<float> offset(width, 1.5F);
     std::vector<float> cost(width);
     std::vector<float> steepness2(width);
-    std::vector<int> properties(width);
+    std::vector<Packed> counts(width);
+    std::vector<Packed> evidence(width);
+    std::vector<float> preference(width);
+    std::vector<float> sums(width, 0.5F);
+    std::vector<float> numbers(width, 3.0F);
     CostRow row{};
     row.above = now.data() + 19 * width;
     row.now = now.data() + 20 * width;
     row.below = now.data() + 21 * width;
     row.before = before.data() + 20 * width;
+    row.before_nearer = before.data() + 22 * width;
     row.offset = offset.data();
     row.places = some_places();
     row.v = 20.0F;
@@ -67,11 +72,24 @@ std::vector<float> costs_of(const Functions& functions) {
     row.noise = 1.3F;
     row.cost = cost.data();
     row.steepness2 = steepness2.data();
-    row.properties = properties.data();
+    row.counts = counts.data();
+    row.evidence = evidence.data();
+    row.preference = preference.data();
     functions.costs(row, 1, width - 1);
+    functions.preferences(row, 1, width - 1);
+    functions.differences(row, 3.0F, 1, width - 1, sums.data(), numbers.data());
     std::vector<float> all = cost;
     all.insert(all.end(), steepness2.begin(), steepness2.end());
-    for (const int p : properties) all.push_back(static_cast<float>(p));
+    all.insert(all.end(), preference.begin(), preference.end());
+    all.insert(all.end(), sums.begin(), sums.end());
+    all.insert(all.end(), numbers.begin(), numbers.end());
+    const auto add = [&](const std::vector<Packed>& values) {
+        for (const Packed p : values) all.push_back(static_cast<float>(p));
+    };
+    add(counts);
+    add(evidence);
+    functions.edges(row, 1, width - 1);
+    add(counts);
     return all;
 }
 
@@ -124,9 +142,43 @@ TEST(Rows, AVoteIsForTheContactWhoseGreyLevelFits) {
     const std::vector<float> inverse = {0.25F, 0.5F, 0.75F};
     std::vector<float> sums(3, 0.0F);
     functions().vote({grey.data(), width, height}, vote, inverse.data(), 3, sums.data());
-    EXPECT_FLOAT_EQ(sums[0], -against);
-    EXPECT_FLOAT_EQ(sums[1], 4.0F);
-    EXPECT_FLOAT_EQ(sums[2], -against);
+    const float telling = 2.0F / 3.0F;  // two of three contacts do not fit
+    EXPECT_FLOAT_EQ(sums[0], -against * telling);
+    EXPECT_FLOAT_EQ(sums[1], 4.0F * telling);
+    EXPECT_FLOAT_EQ(sums[2], -against * telling);
+}
+
+TEST(Rows, APixelThatFitsEverywhereVotesLittle) {
+    const std::vector<float> grey(static_cast<std::size_t>(width * height), 80.0F);
+    const Vote vote{70.0F, 20.0F, 80.0F, 0.0F, 4.0F, 70.0F, 20.0F, 1.0F, 20.0F, 0.0F, 0.0F, 1.0F, 1.0F};
+    const std::vector<float> inverse = {0.25F, 0.5F, 0.75F};
+    std::vector<float> sums(3, 0.0F);
+    functions().vote({grey.data(), width, height}, vote, inverse.data(), 3, sums.data());
+    for (const float sum : sums) EXPECT_FLOAT_EQ(sum, 4.0F * least_telling);
+}
+
+TEST(Rows, WhatFitsFloorBetterThanSomethingNearerHasAPreferenceAboveZero) {
+    const std::vector<float> now(3 * 16, 50.0F);
+    const std::vector<float> floor(16, 50.5F);
+    std::vector<float> nearer(16, 53.0F);
+    nearer[5] = NAN;
+    const std::vector<float> offset(16, 0.0F);
+    std::vector<float> cost(16, 0.25F);
+    std::vector<float> steepness2(16, 0.0F);
+    std::vector<float> preference(16, -1.0F);
+    CostRow row{};
+    row.now = now.data();
+    row.before = floor.data();
+    row.before_nearer = nearer.data();
+    row.offset = offset.data();
+    row.gain = 1.0F;
+    row.noise = 1.5F;
+    row.cost = cost.data();
+    row.steepness2 = steepness2.data();
+    row.preference = preference.data();
+    functions().preferences(row, 0, 16);
+    EXPECT_FLOAT_EQ(preference[4], 2.0F - 0.25F);
+    EXPECT_FLOAT_EQ(preference[5], 0.0F) << "nothing is known of it";
 }
 
 }  // namespace

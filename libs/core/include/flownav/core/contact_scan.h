@@ -45,7 +45,7 @@ struct ContactStrip {
     double near_m = 0.0;     ///< the contact lies between near_m
     double far_m = 0.0;      ///< and far_m
     double score = 0.0;      ///< sum of votes for the contact
-    bool seen = false;       ///< in view with an edge in it, and the gate open: what is not free was looked at
+    bool seen = false;  ///< in view with an edge in it, and the gate open: what is not free was looked at
 };
 
 /// What stands on the floor, and where the floor is confirmed, strip by strip. Strip i covers the tangents

@@ -6,8 +6,8 @@ namespace flownav::mapping {
 
 /// What one set says about one cell. A cell hears of each set once, however many vectors fell into it.
 struct Evidence {
-    Eigen::Vector2i cell;  ///< floor((position - origin) / edge of a cell)
-    double p_free;         ///< MRPT's cells speak of the probability of being FREE
+    Eigen::Vector2i cell;          ///< floor((position - origin) / edge of a cell)
+    double p_free;                 ///< MRPT's cells speak of the probability of being FREE
     bool at_most_unknown = false;  ///< makes an occupied cell unknown, and no cell free
 
     bool operator<(const Evidence& o) const {

@@ -77,6 +77,7 @@ class Guard {
     bool may_turn_out(const Fault& fault, double time_s) const;
     MotionCommand limited() const;
     Fault objection(const Surroundings& now, const MotionCommand& candidate) const;
+    bool is_unscanned(const Surroundings& now, const MotionCommand& candidate) const;
     Fault objection_to_unseen(bool crawls) const;
     Fault objection_to_speed(const Surroundings& now, const MotionCommand& candidate) const;
     SafetyDecision allow(const Surroundings& now, const MotionCommand& wanted) const;
@@ -93,6 +94,7 @@ class Guard {
     std::optional<TimedCommand> proposal_;
     std::optional<double> map_s_;
     bool has_scans_ = false;                 ///< a contact scan has come
+    std::optional<double> scan_yaw_rad_;     ///< heading of the last open one, map frame
     std::optional<Moment> last_;             ///< of the last check()
     std::deque<TimedCommand> sent_;          ///< commands to the motors within the last delay
     double hold_s_;                          ///< longest time that a command is in force

@@ -55,11 +55,11 @@ struct LaneView {
 
 struct LaneDecision {
     MotionCommand command;
-    CollisionFreeDistance way;  ///< of the chosen lane
-    bool stuck = false;  ///< no lane is open
-    int lane = -1;  ///< index of the chosen lane in `lanes`; -1: none
-    int heading = -1;  ///< index of the chosen heading in `headings`, a turn on the spot; -1: none
-    std::string why;  ///< reason in a few words
+    CollisionFreeDistance way;    ///< of the chosen lane
+    bool stuck = false;           ///< no lane is open
+    int lane = -1;                ///< index of the chosen lane in `lanes`; -1: none
+    int heading = -1;             ///< index of the chosen heading in `headings`, a turn on the spot; -1: none
+    std::string why;              ///< reason in a few words
     std::vector<LaneView> lanes;  ///< as in the tables, right to left
     std::vector<LaneView> headings;  ///< as in the tables; empty when they were not evaluated
 };

@@ -33,8 +33,8 @@ void vote_for_contacts(const LevelImage& reference, const LevelImage& newer, con
                        ContactVotes& out);
 
 /// How much better the pixels of a strip above a contact at `forward_m` move as floor than as an upright
-/// surface that stands there: mean difference of their costs. Weak texture tells, when there are many pixels; a
-/// surface without any gives 0. Empty when too few pixels can be compared.
+/// surface that stands there: mean difference of their costs. Weak texture tells, when there are many pixels;
+/// a surface without any gives 0. Empty when too few pixels can be compared.
 std::optional<double> floor_preference(const LevelImage& reference, const LevelImage& newer,
                                        const PairWarp& warp, const FloorComparison& comparison, double noise,
                                        int strip, double forward_m);

@@ -27,26 +27,27 @@ inline bool has_edge(const FloorCell& cell) {
 struct Misfit {
     int u = 0;
     int v = 0;
-    bool steep = false;     ///< on an edge nearer to the vertical than to the horizontal
-    float grey = 0.0F;      ///< on the brightness scale of the reference
+    bool steep = false;  ///< on an edge nearer to the vertical than to the horizontal
+    float grey = 0.0F;   ///< on the brightness scale of the reference
     float gradient2 = 0.0F;
     float cost = 0.0F;  ///< of the floor
 };
 
 /// Result and memory of compare_with_floor().
 struct FloorComparison {
-    std::vector<FloorCell> cells;  ///< see StripGrid
-    std::vector<int> misfits;      ///< pixels that do not fit, row by row, by strip
+    std::vector<FloorCell> cells;           ///< see StripGrid
+    std::vector<int> misfits;               ///< pixels that do not fit, row by row, by strip
     std::vector<std::size_t> first_misfit;  ///< of each strip, and behind the last one
-    double gain = 1.0;             ///< brightness of the newer image over that of the reference
-    double vignetting = 0.0;       ///< fall-off of brightness that is left in the images, at the corner
-    double noise = 0.0;            ///< standard deviation of differences of grey levels, as measured here
-    double fit_share = 0.0;        ///< of the informative pixels of the near floor
-    int near_informative = 0;      ///< their number
+    double gain = 1.0;                      ///< brightness of the newer image over that of the reference
+    double vignetting = 0.0;   ///< fall-off of brightness that is left in the images, at the corner
+    double noise = 0.0;        ///< standard deviation of differences of grey levels, as measured here
+    double fit_share = 0.0;    ///< of the informative pixels of the near floor
+    int near_informative = 0;  ///< their number
 
     // Memory.
     std::vector<float> warped;  ///< grey level that the floor had in the reference; NaN: outside
-    std::vector<float> offset;  ///< local difference of brightness: a row of tiles is one row, as wide as the image
+    std::vector<float>
+        offset;  ///< local difference of brightness: a row of tiles is one row, as wide as the image
     struct InStrip {
         int strip;
         int pixel;
@@ -54,7 +55,7 @@ struct FloorComparison {
     std::vector<InStrip> unsorted;
     std::vector<double> ratios;
     std::vector<float> row_numbers;
-    std::vector<float> cost;         ///< of the floor, a pixel an entry
+    std::vector<float> cost;  ///< of the floor, a pixel an entry
     std::vector<float> steepness2;
     std::vector<unsigned> row_counts;
     std::vector<unsigned> row_evidence;

@@ -8,8 +8,8 @@ namespace flownav::obstacles {
 /// Sets floor_end_m of every strip: confirmed floor from the lower border of the image up, until it is
 /// interrupted or the texture that other strips show in the same rows is missing.
 /// `map`: buffer, filled.
-void find_floor_ends(const LevelImage& image, const std::vector<FloorCell>& cells,
-                     FloorMap& map, std::vector<StripEvidence>& strips);
+void find_floor_ends(const LevelImage& image, const std::vector<FloorCell>& cells, FloorMap& map,
+                     std::vector<StripEvidence>& strips);
 
 /// Sets wall_m of every strip by the static rule: what has no edge from above the horizon down to its first
 /// edge is no floor. Needs floor ends and votes.
