@@ -5,6 +5,7 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationPointCloud.h>
+#include <mrpt/obs/CObservationRobotPose.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,7 @@ using mrpt::obs::CObservation;
 using mrpt::obs::CObservation2DRangeScan;
 using mrpt::obs::CObservationOdometry;
 using mrpt::obs::CObservationPointCloud;
+using mrpt::obs::CObservationRobotPose;
 
 void widen(double& most, double a, double b) {
     most = std::max(most, std::abs(a - b));
@@ -36,8 +38,12 @@ void compare(const CObservationOdometry& a, const CObservationOdometry& b, Diffe
 void compare(const CObservation2DRangeScan& a, const CObservation2DRangeScan& b, Differences& most) {
     if (a.getScanSize() != b.getScanSize()) ++most.beams;
     for (std::size_t i = 0; i < std::min(a.getScanSize(), b.getScanSize()); ++i) {
-        widen(most.range_m, a.getScanRange(i), b.getScanRange(i));
-        if (a.getScanRangeValidity(i) != b.getScanRangeValidity(i)) ++most.validity;
+        const bool same_kind = a.getScanRangeValidity(i) == b.getScanRangeValidity(i);
+        if (!same_kind || std::abs(a.getScanRange(i) - b.getScanRange(i)) > 0.01) {
+            ++most.other_beams;
+        } else {
+            widen(most.range_m, a.getScanRange(i), b.getScanRange(i));
+        }
     }
 }
 
@@ -49,6 +55,12 @@ void compare(const CObservationPointCloud& a, const CObservationPointCloud& b, D
         b.pointcloud->getPoint(i, right.x, right.y, right.z);
         widen(most.point_m, (left - right).norm(), 0.0);
     }
+}
+
+void compare(const CObservationRobotPose& a, const CObservationRobotPose& b, Differences& most) {
+    widen(most.position_m, a.pose.mean.x(), b.pose.mean.x());
+    widen(most.position_m, a.pose.mean.y(), b.pose.mean.y());
+    widen(most.heading_rad, a.pose.mean.yaw(), b.pose.mean.yaw());
 }
 
 /// True when both objects are of this class.
@@ -87,7 +99,8 @@ Differences compared(const ByLabel& found, const ByLabel& expected) {
             widen(most.time_s, mrpt::Clock::toDouble(a.timestamp), mrpt::Clock::toDouble(b.timestamp));
             EXPECT_TRUE(compare_as<CObservationOdometry>(a, b, most) ||
                         compare_as<CObservation2DRangeScan>(a, b, most) ||
-                        compare_as<CObservationPointCloud>(a, b, most))
+                        compare_as<CObservationPointCloud>(a, b, most) ||
+                        compare_as<CObservationRobotPose>(a, b, most))
                 << label << " is of no class that can be compared";
         }
     }

@@ -22,6 +22,7 @@ struct Differences {
     double time_s = 0.0, omega_radps = 0.0, v_mps = 0.0, position_m = 0.0, heading_rad = 0.0;
     double range_m = 0.0, point_m = 0.0;
     int validity = 0, beams = 0, points = 0;  ///< counts of mismatches
+    int other_beams = 0;  ///< beams that ended elsewhere: not in range_m, and not in validity
 };
 
 /// Compares the observations with the labels of `expected` one by one; fails the test when their numbers

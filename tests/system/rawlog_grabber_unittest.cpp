@@ -34,8 +34,9 @@ bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-/// Allows only differences by the rounding of the time stamps (100 ns).
-void expect_rounding(const Differences& most) {
+/// Allows only differences by the rounding of the time stamps (100 ns). `flips`: so many beams may end
+/// elsewhere, because a contact has one vote more or less than it needs.
+void expect_rounding(const Differences& most, int flips) {
     std::cout << "most: " << most << '\n';
     EXPECT_LT(most.time_s, 1e-6);
     EXPECT_LT(most.omega_radps, 1e-5);
@@ -45,6 +46,7 @@ void expect_rounding(const Differences& most) {
     EXPECT_LT(most.range_m, 1e-3);
     EXPECT_LT(most.point_m, 1e-3);
     EXPECT_EQ(most.validity + most.beams + most.points, 0);
+    EXPECT_LE(most.other_beams, flips);
 }
 
 class RawlogGrabber : public ::testing::Test {
@@ -83,9 +85,11 @@ class RawlogGrabber : public ::testing::Test {
 
     ByLabel grabbed() const { return observations_of(grabbed_file()); }
 
-    ByLabel replayed(const std::string& rawlog, int status = 0) const {
-        const Outcome outcome =
-            run_program(FLOWNAV_REPLAY, {rawlog, "--output", folder / "replay", "--quiet"}, folder);
+    ByLabel replayed(const std::string& rawlog, int status = 0,
+                     const std::vector<std::string>& options = {}) const {
+        std::vector<std::string> arguments = {rawlog, "--output", folder / "replay", "--quiet"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Outcome outcome = run_program(FLOWNAV_REPLAY, arguments, folder);
         EXPECT_EQ(outcome.status, status) << outcome.error;
         return observations_of(folder / "replay/result.rawlog");
     }
@@ -97,19 +101,20 @@ class RawlogGrabber : public ::testing::Test {
 
     void expect_the_numbers_of_a_replay_from_a_video(const std::string& rawlog) const {
         const Outcome outcome = grab(make_drive_video(rawlog, folder));
-        ByLabel replay = replayed(rawlog);
-        replay.erase("ODOMETRY");  // a video has no odometry
-        expect_same(outcome, replay);
+        // A video has no odometry.
+        ByLabel replay = replayed(rawlog, 0, {"--set", "motion.wheels=off"});
+        replay.erase("ODOMETRY");
+        expect_same(outcome, replay, 20);
     }
 
-    void expect_same(const Outcome& outcome, const ByLabel& replay) const {
+    void expect_same(const Outcome& outcome, const ByLabel& replay, int flips = 0) const {
         ASSERT_EQ(outcome.status, 0) << outcome.error;
         const ByLabel grab = grabbed();
         auto found = counts(grab);
         found.erase("FLOW_END");  // the last observation; rawlog-grabber never writes the last one
         ASSERT_EQ(found, counts(replay)) << outcome.error;
         for (const auto& [label, count] : found) std::cout << label << ' ' << count << '\n';
-        expect_rounding(compared(grab, replay));
+        expect_rounding(compared(grab, replay), flips);
     }
 
     fs::path folder;

@@ -84,12 +84,12 @@ TEST(Config, LimitsOfContactsInTheWrongOrderAreRefusedByName) {
     EXPECT_NO_THROW(check_contacts(with("obstacles.contact_min_m", "3.6")));
     EXPECT_THROW(check_contacts(with("obstacles.contact_min_m", "3.7")), ConfigError);
     try {
-        check_contacts(with("obstacles.contact_votes", "81"));
+        check_contacts(with("obstacles.contact_votes", "31"));
         FAIL() << "accepted";
     } catch (const ConfigError& error) {
         EXPECT_EQ(
             std::string(error.what()),
-            "obstacles.contact_votes = 81: is more than obstacles.contact_votes_sure; allowed: up to 80");
+            "obstacles.contact_votes = 31: is more than obstacles.contact_votes_sure; allowed: up to 30");
     }
 }
 

@@ -65,9 +65,10 @@ TEST(ContactsInMaps, APostToTheRightIsOccupiedToTheRightAfterTwoScans) {
 
 TEST(ContactsInMaps, OneSightIsEnoughForTheGuardEvenWhereFloorWasSeenBefore) {
     Maps maps(set_of(free_scan(3.0)), 10);
-    EXPECT_LT(maps.occupied(2.05, -0.55), 0.4);
+    const auto here = [&] { return occupancy(maps.local.grid(), 2.05, -0.55); };
+    EXPECT_LT(here(), 0.4);
     maps.local.insert(set_of(post(1.0)));
-    EXPECT_GT(occupancy(maps.local.grid(), 2.05, -0.55), 1.0 - OccupancyLimits().guard_obstacle_below);
+    EXPECT_GT(here(), 1.0 - OccupancyLimits().guard_obstacle_below);
 }
 
 TEST(ContactsInMaps, ScansThatSeeNothingMakeAnObstacleUnknownAndNotFree) {

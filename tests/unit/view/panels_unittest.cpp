@@ -110,6 +110,7 @@ Frame with_contacts(const Frame& plain) {
     right.cause = BeamCause::Wall;
     frame.step.new_contacts = true;
     frame.step.contacts.gate = ContactGate::Open;
+    frame.step.contacts.T_robot_scan = {};
     frame.step.contacts.first = -1;
     frame.step.contacts.step = 0.2;
     frame.step.contacts.strips = {left, right};
