@@ -58,12 +58,14 @@ class Judge {
         ++score_.scans;
         score_.fit_share += scan.floor.fit_share;
         score_.vignetting += scan.floor.vignetting;
+        // The scan speaks of the image with which it began.
+        T_world_scan_ = compose(scene_.poses[image], scan.T_robot_scan);
         look_around(image);
         contacts_.clear();
         for (int i = 0; i < static_cast<int>(scan.strips.size()); ++i) strip(scan, i, image);
         for (const ObstaclePoint& p : step.obstacles)
             points_.push_back(transform(scene_.poses[image], p.position_m.head<2>()));
-        things(image);
+        things();
         points_.clear();
     }
 
@@ -73,7 +75,7 @@ class Judge {
 
   private:
     void look_around(std::size_t image) {
-        const VirtualScan seen = sim::scan(scene_.world, lidar_, scene_.poses[image],
+        const VirtualScan seen = sim::scan(scene_.world, lidar_, T_world_scan_,
                                            scene_.fields[image].timestamp_s - sim::sim_start_s);
         rays_.assign(seen.beams.size(), Ray{});
         for (std::size_t i = 0; i < seen.beams.size(); ++i) {
@@ -82,7 +84,7 @@ class Judge {
             const double range = seen.beams[i].range_m;
             rays_[i].forward_m = range * std::cos(bearing);
             rays_[i].point_m =
-                transform(scene_.poses[image], {range * std::cos(bearing), range * std::sin(bearing)});
+                transform(T_world_scan_, {range * std::cos(bearing), range * std::sin(bearing)});
         }
         first_rad_ = seen.first_bearing_rad;
         step_rad_ = seen.step_rad;
@@ -135,12 +137,12 @@ class Judge {
         return rays >= 12;
     }
 
-    void things(std::size_t image) {
+    void things() {
         std::map<int, std::vector<const sim::Solid*>> objects;
         for (const sim::Solid& solid : scene_.world.solids) objects[solid.object].push_back(&solid);
         for (const auto& [object, solids] : objects) {
             const Vector2d middle =
-                transform(inverse(scene_.poses[image]), solids[0]->T_world_solid.translation().head<2>());
+                transform(inverse(T_world_scan_), solids[0]->T_world_solid.translation().head<2>());
             const bool in_view = scene_.options.things != Things::Mats && middle.x() > near_m &&
                                  std::abs(middle.y()) < view_tangent * middle.x() && middle.norm() < far_m &&
                                  is_visible(solids);
@@ -174,6 +176,7 @@ class Judge {
     const RecordedScene& scene_;
     Score& score_;
     sim::LidarParams lidar_;
+    Pose2 T_world_scan_;
     std::vector<Ray> rays_;
     double first_rad_ = 0.0;
     double step_rad_ = 1.0;

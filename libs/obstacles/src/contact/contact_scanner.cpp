@@ -79,7 +79,7 @@ void gather_evidence(const KeyImage& newer, const ContactParams& params, Contact
         strip.is_seen = is_in_view(newer.image, grid, memory.comparison.cells, s);
     }
     find_floor_ends(newer.image, memory.comparison.cells, memory.floor, memory.evidence);
-    find_walls(newer.image, memory.comparison.cells, params.range_max_m, memory.evidence);
+    find_walls(newer.image, memory.comparison.cells, memory.floor, params.range_max_m, memory.evidence);
 }
 
 /// True when one of the first `count` earlier contacts was at this place.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "flownav/math/order_statistic.h"
 #include "flownav/obstacles/strip_grid.h"
@@ -25,8 +26,11 @@ constexpr double presence_max = 0.97;
 constexpr int presence_cells = 3;  // cells over which the presence of texture is measured
 // Walls.
 constexpr int above_horizon_cells = 2;
-constexpr double continuing = 0.2;  // largest relative step of range between strips of one wall
-constexpr int wall_neighbours = 2;  // of the four nearest strips
+constexpr double low_floor_share = 0.8;  // of the way to such a surface: floor is confirmed
+constexpr double low_missing_min = 0.7;  // so surely do other strips show floor in its row
+constexpr double low_surface_m = 1.6;    // of a surface that does not reach above the horizon
+constexpr double continuing = 0.2;       // largest relative step of range between strips of one wall
+constexpr int wall_neighbours = 2;       // of the four nearest strips
 
 bool has_floor_pixels(const FloorCell& cell) {
     return cell.floor >= floor_min && cell.not_floor <= not_floor_share * cell.floor;
@@ -122,9 +126,9 @@ struct FirstEdge {
 };
 
 FirstEdge first_edge(const LevelImage& image, const StripGrid& grid, const std::vector<FloorCell>& cells,
-                     int strip) {
-    int cell = grid.horizon_row / cell_rows - above_horizon_cells;
-    if (cell < 1) return {};
+                     int strip, int from) {
+    if (from < 1) return {};
+    int cell = from;
     for (; cell < grid.cells; ++cell) {
         const FloorCell& c = cells[grid.index(cell, strip)];
         if (c.pixels == 0) return {};
@@ -134,6 +138,23 @@ FirstEdge first_edge(const LevelImage& image, const StripGrid& grid, const std::
     const int upper = cell;
     while (cell + 1 < grid.cells && has_edge(cells[grid.index(cell + 1, strip)])) ++cell;
     return {cell_floor_m(image.camera, upper), cell_floor_m(image.camera, cell)};
+}
+
+/// The surface reaches above the horizon; or it is near, begins where the floor ends, and reaches to where
+/// floor would be floor_max_m away, as things a little lower than the camera do.
+FirstEdge surface_edge(const LevelImage& image, const StripGrid& grid, const std::vector<FloorCell>& cells,
+                       const FloorMap& map, int strip, double floor_end_m) {
+    const FirstEdge tall =
+        first_edge(image, grid, cells, strip, grid.horizon_row / cell_rows - above_horizon_cells);
+    if (tall.upper_m > 0.0) return tall;
+    const FirstEdge low = first_edge(image, grid, cells, strip, grid.top_row / cell_rows + 1);
+    if (!(low.upper_m > 0.0 && low.upper_m < low_surface_m)) return {};
+    const auto cell =
+        static_cast<std::ptrdiff_t>(image.camera.row_of(image.camera.height_m / low.upper_m) / cell_rows);
+    const auto edge = map.missing.begin() + std::clamp<std::ptrdiff_t>(cell, 0, grid.cells - 1);
+    const double missing = std::accumulate(map.missing.begin(), edge, 0.0);
+    const bool hides_floor = edge[0] > low_missing_min && missing > missing_max;
+    return hides_floor && floor_end_m > low_floor_share * low.upper_m ? low : FirstEdge{};
 }
 
 /// Foot of a wall whose first edge is known: floor and votes place it better than the edge.
@@ -157,12 +178,12 @@ void find_floor_ends(const LevelImage& image, const std::vector<FloorCell>& cell
         strips[static_cast<std::size_t>(s)].floor_end_m = floor_end_m(image, grid, cells, map, s);
 }
 
-void find_walls(const LevelImage& image, const std::vector<FloorCell>& cells, double range_max_m,
-                std::vector<StripEvidence>& strips) {
+void find_walls(const LevelImage& image, const std::vector<FloorCell>& cells, const FloorMap& map,
+                double range_max_m, std::vector<StripEvidence>& strips) {
     const StripGrid grid = strip_grid(image);
     const auto at = [&](int s) -> StripEvidence& { return strips[static_cast<std::size_t>(s)]; };
     for (int s = 0; s < grid.strips; ++s) {
-        const FirstEdge edge = first_edge(image, grid, cells, s);
+        const FirstEdge edge = surface_edge(image, grid, cells, map, s, at(s).floor_end_m);
         at(s).first_edge_m = edge.upper_m > 0.0 ? foot_m(edge, at(s)) : 0.0;
     }
     for (int s = 0; s < grid.strips; ++s) {

@@ -13,7 +13,7 @@ void find_floor_ends(const LevelImage& image, const std::vector<FloorCell>& cell
 
 /// Sets wall_m of every strip by the static rule: what has no edge from above the horizon down to its first
 /// edge is no floor. Needs floor ends and votes.
-void find_walls(const LevelImage& image, const std::vector<FloorCell>& cells, double range_max_m,
-                std::vector<StripEvidence>& strips);
+void find_walls(const LevelImage& image, const std::vector<FloorCell>& cells, const FloorMap& map,
+                double range_max_m, std::vector<StripEvidence>& strips);
 
 }  // namespace flownav::obstacles
