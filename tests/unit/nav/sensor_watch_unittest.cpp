@@ -196,6 +196,11 @@ TEST(SensorWatch, ASectorWithoutVectorsIsBlindOnlyWhenItIsBlackOrNoScansSeePlain
     EXPECT_FALSE(fault_of([](SensorReport&) {})) << "a blank wall";
     EXPECT_EQ(fault_of([](SensorReport& r) { r.unlit[3] = true; }).reason, GuardReason::SensorBlind);
     EXPECT_FALSE(fault_of([](SensorReport& r) { r.unlit[0] = true; })) << "it has vectors";
+    const auto covered_after_a_scan = [](SensorReport& r) {
+        r.unlit[3] = true;
+        r.bearings = r.decided = {10, 10, 10, 10};
+    };
+    EXPECT_EQ(fault_of(covered_after_a_scan).reason, GuardReason::SensorBlind);
     EXPECT_EQ(fault_of([](SensorReport& r) { r.scans = false; }).reason, GuardReason::SensorBlind);
 }
 
