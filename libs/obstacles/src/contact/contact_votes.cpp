@@ -182,6 +182,7 @@ std::optional<double> floor_preference(const LevelImage& reference, const LevelI
             const double e = pixel.grey - sample(reference, x, y);
             const double tolerance = rows::position_error_px * rows::position_error_px * pixel.gradient2;
             const double cost = e * e / (2.0 * (noise * noise + tolerance));
+            if (std::isnan(cost)) continue;  // beside a place where the camera did not look
             sum += std::min<double>(cost, rows::cost_max) - pixel.cost;
             ++pixels;
         }
