@@ -111,7 +111,8 @@ std::ostream& operator<<(std::ostream& out, const Differences& d) {
     return out << "time " << d.time_s << " s, omega " << d.omega_radps << " rad/s, v " << d.v_mps
                << " m/s, position " << d.position_m << " m, heading " << d.heading_rad << " rad, ranges "
                << d.range_m << " m, points " << d.point_m << " m; of different validity " << d.validity
-               << ", size " << d.beams << ", number " << d.points;
+               << ", size " << d.beams << ", number " << d.points << "; beams that end elsewhere "
+               << d.other_beams;
 }
 
 }  // namespace flownav::testing

@@ -39,8 +39,8 @@ Vector2d end_toward(const ContactScan& scan, int i, int j, double tangent) {
 }
 
 /// Forward distance up to which a strip may be Unconfirmed.
-double looked_to_m(const ContactScan& scan, int i, const ForwardRange& unconfirmed) {
-    return strip_at(scan, i).seen ? std::min(unconfirmed.to_m, seen_to_m(scan, i)) : 0.0;
+double looked_to_m(const ContactScan& scan, int i, double unconfirmed_to_m) {
+    return strip_at(scan, i).seen ? std::min(unconfirmed_to_m, seen_to_m(scan, i)) : 0.0;
 }
 
 }  // namespace
@@ -62,15 +62,13 @@ double floor_to_m(const ContactScan& scan, int i) {
 }
 
 FloorSight floor_at(const ContactScan& scan, double forward_m, double right_m, double half_m,
-                    const ForwardRange& unconfirmed) {
+                    double unconfirmed_to_m) {
     if (!(forward_m >= scan.view_near_m) || forward_m <= 0.0) return FloorSight::NotSeen;
     const double strip = std::floor(right_m / forward_m / scan.step) - scan.first;
     if (!(strip >= 0.0 && strip < static_cast<double>(scan.strips.size()))) return FloorSight::NotSeen;
     const int i = static_cast<int>(strip);
     if (forward_m + half_m <= floor_to_m(scan, i)) return FloorSight::Confirmed;
-    const bool is_unconfirmed =
-        forward_m >= unconfirmed.from_m && forward_m < looked_to_m(scan, i, unconfirmed);
-    return is_unconfirmed ? FloorSight::Unconfirmed : FloorSight::NotSeen;
+    return forward_m < looked_to_m(scan, i, unconfirmed_to_m) ? FloorSight::Unconfirmed : FloorSight::NotSeen;
 }
 
 double floor_share(const ContactScan& scan) {
@@ -85,11 +83,11 @@ double floor_share(const ContactScan& scan) {
 }
 
 Eigen::AlignedBox2d floor_bounds(const ContactScan& scan, const Pose2& T_frame_robot,
-                                 const ForwardRange& unconfirmed) {
+                                 double unconfirmed_to_m) {
     Eigen::AlignedBox2d bounds;
     if (scan.gate != ContactGate::Open || !(scan.view_near_m >= 0.0)) return bounds;
     for (int i = 0; i < static_cast<int>(scan.strips.size()); ++i) {
-        const double to_m = std::max(floor_to_m(scan, i), looked_to_m(scan, i, unconfirmed));
+        const double to_m = std::max(floor_to_m(scan, i), looked_to_m(scan, i, unconfirmed_to_m));
         if (!(to_m > scan.view_near_m)) continue;
         for (const double tangent : {left_tangent(scan, i), left_tangent(scan, i + 1)})
             for (const double forward_m : {scan.view_near_m, to_m})

@@ -66,11 +66,14 @@ void add_contacts(const GridFrame& frame, const ContactScan& scan, const Pose2& 
     for_each_contact(scan, T_frame_robot, frame.cell_m / 2, [&](BeamCause cause, const Vector2d& p) {
         if (cause != BeamCause::Drop) add_point(frame, p, seen_contact, evidence);
     });
-    const auto add_sight = [&](const Eigen::Vector2i& cell, FloorSight sight) {
-        const bool is_floor = sight == FloorSight::Confirmed;
-        evidence.push_back({cell, is_floor ? seen_floor : seen_nothing, !is_floor});
+    const auto add_sight = [&](const Eigen::Vector2i& cell, FloorSight sight, double forward_m) {
+        if (sight == FloorSight::Confirmed) {
+            evidence.push_back({cell, seen_floor, false});
+        } else if (is_looked_through(forward_m)) {
+            evidence.push_back({cell, seen_nothing, true});
+        }
     };
-    for_each_floor_cell(scan, T_frame_robot, frame, looked_through, add_sight);
+    for_each_floor_cell(scan, T_frame_robot, frame, looked_through_to_m, add_sight);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ void make_room(COccupancyGridMap2D& grid, const ObstacleSet& set, double half_m)
     for (const GroundPatch& patch : set.ground) include(transform(set.T_map_robot, patch.far_m));
     for_each_contact(set.contacts, set.T_map_robot, grid.getResolution(),
                      [&](BeamCause, const Vector2d& p) { include(p); });
-    const Eigen::AlignedBox2d floor = floor_bounds(set.contacts, set.T_map_robot, {});
+    const Eigen::AlignedBox2d floor = floor_bounds(set.contacts, set.T_map_robot, 0.0);
     if (!floor.isEmpty()) include(floor.min());
     if (!floor.isEmpty()) include(floor.max());
     const auto beyond = [half_m](double wanted, double has, double sign) {

@@ -64,20 +64,25 @@ int GroundMemory::note(const mrpt::maps::COccupancyGridMap2D& local_map, double 
 void GroundMemory::note(const ContactScan& scan, double time_s, const Pose2& T_map_robot) {
     const double doubt = doubt_of(scan);
     const Vector2i middle = cells_.frame().cell_of({T_map_robot.x_m, T_map_robot.y_m});
-    const auto note_sight = [&](const Vector2i& cell, FloorSight sight) {
+    const auto note_sight = [&](const Vector2i& cell, FloorSight sight, double forward_m) {
         if ((cell - middle).cwiseAbs().maxCoeff() >= cells_.side() / 2) return;
-        if (sight == FloorSight::Unconfirmed) {
-            note_unconfirmed(cell, doubt, time_s);
-        } else {
-            Known& known = cells_.claim(cell);
-            known.confirmed_until_s = time_s + params_.free_s;
-            if (known.ground == Ground::Unconfirmed) known.ground = Ground::Unknown;
-            known.doubt = 0.0;
+        if (sight == FloorSight::Confirmed) {
+            note_confirmed(cell, time_s);
+            look_through(cell, time_s);
+            return;
         }
+        if (forward_m < params_.unconfirmed_within_m) note_unconfirmed(cell, doubt, time_s);
+        if (is_looked_through(forward_m)) look_through(cell, time_s);
     };
-    for_each_floor_cell(scan, T_map_robot, cells_.frame(), {0.0, params_.unconfirmed_within_m}, note_sight);
-    for_each_floor_cell(scan, T_map_robot, cells_.frame(), looked_through,
-                        [&](const Vector2i& cell, FloorSight) { look_through(cell, time_s); });
+    const double to_m = std::max(params_.unconfirmed_within_m, looked_through_to_m);
+    for_each_floor_cell(scan, T_map_robot, cells_.frame(), to_m, note_sight);
+}
+
+void GroundMemory::note_confirmed(const Vector2i& cell, double time_s) {
+    Known& known = cells_.claim(cell);
+    known.confirmed_until_s = time_s + params_.free_s;
+    if (known.ground == Ground::Unconfirmed) known.ground = Ground::Unknown;
+    known.doubt = 0.0;
 }
 
 /// Forgets an obstacle that the map no longer shows after some scans in a row saw nothing there.

@@ -166,25 +166,25 @@ Fault Guard::objection(const Surroundings& now, const MotionCommand& candidate) 
         return {GuardReason::UnconfirmedAhead,
                 "ground on the way was in view and was not confirmed as floor"};
     }
-    if (!crawls && is_unscanned(now, candidate)) {
+    if (!crawls && has_turned_since_scan(now, candidate)) {
         return {GuardReason::UnconfirmedAhead,
-                "has turned since the last contact scan: what stands ahead of it now "
-                "shows when it moves"};
+                "has turned since the last contact scan: what stands ahead now shows when it moves"};
     }
-    const bool slow = fast_mps <= params_.collision_checker.unconfirmed_mps + rounding_m;
-    if (ahead.unseen && !ahead.unscanned && slow && !probing_since_s_) return {};
-    return ahead.unseen ? objection_to_unseen(crawls) : objection_to_speed(now, candidate);
+    return ahead.unseen ? objection_to_unseen(ahead, fast_mps) : objection_to_speed(now, candidate);
 }
 
 /// True when the robot is to drive where no contact scan has looked: scans need travel, and it has turned.
-bool Guard::is_unscanned(const Surroundings& now, const MotionCommand& candidate) const {
-    if (!has_scans_ || candidate.v_mps <= 0.0) return false;
-    return scan_yaw_rad_ &&
+bool Guard::has_turned_since_scan(const Surroundings& now, const MotionCommand& candidate) const {
+    return scan_yaw_rad_ && candidate.v_mps > 0.0 &&
            std::abs(wrap_angle(now.T_map_robot.yaw_rad - *scan_yaw_rad_)) > scan_turn_max_rad;
 }
 
 /// Why the robot may not drive over ground that it has neither seen nor scanned; empty when it may crawl on.
-Fault Guard::objection_to_unseen(bool crawls) const {
+Fault Guard::objection_to_unseen(const Forecast& ahead, double fast_mps) const {
+    const CollisionCheckerParams& speeds = params_.collision_checker;
+    const bool is_slow = fast_mps <= speeds.unconfirmed_mps + rounding_m;
+    if (!ahead.unscanned && is_slow && !probing_since_s_) return {};
+    const bool crawls = fast_mps <= speeds.crawl_mps + rounding_m;
     if (!crawls) return {GuardReason::UnseenAhead, "ground on the way has not been seen"};
     if (probing_since_s_ || crept_m_ >= params_.crawl_max_m) {
         return {GuardReason::UnseenAhead,

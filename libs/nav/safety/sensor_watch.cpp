@@ -11,7 +11,7 @@ int sum(const std::array<int, SensorReport::sectors>& counts) {
     return std::accumulate(counts.begin(), counts.end(), 0);
 }
 
-/// True when other sensors tell the motion and contact scans see: floor and things without texture.
+/// True when the flow or other sensors tell the motion, and contact scans see things without texture.
 bool is_told(const SensorReport& report) {
     return report.scans && report.sees_edges && report.carried_s == 0.0 &&
            report.status != FieldStatus::BadField && report.status != FieldStatus::Waiting;
@@ -25,15 +25,11 @@ void SensorWatch::sensed(const SensorReport& report) {
     newest_ = report;
     arrived_ = true;
     if (report.status == FieldStatus::Lost) last_seen_s_ = report.timestamp_s;
-    if (is_told(report)) {
+    const bool told = is_told(report);
+    const bool is_measured = report.status == FieldStatus::Ok;
+    if (told || (is_measured && sum(report.confident) >= params_.confident_min))
         last_ok_s_ = last_seen_s_ = report.timestamp_s;
-        note_sectors(report);
-    }
-    if (report.status != FieldStatus::Ok) return;
-    if (sum(report.confident) >= params_.confident_min) {
-        last_ok_s_ = last_seen_s_ = report.timestamp_s;
-    }
-    note_sectors(report);
+    if (told || is_measured) note_sectors(report);
 }
 
 void SensorWatch::note_sectors(const SensorReport& report) {

@@ -23,35 +23,35 @@ int strip(const ContactScan& scan, double tangent) {
 
 TEST(ContactFloor, IsConfirmedFromTheLowerBorderOfTheViewUpToTheEndOfTheStrip) {
     const ContactScan scan = free_scan(2.0);
-    EXPECT_EQ(floor_at(scan, 0.39, 0.0, 0.0, {0.0, 0.0}), FloorSight::NotSeen) << "below the view";
-    EXPECT_EQ(floor_at(scan, 0.41, 0.0, 0.0, {0.0, 0.0}), FloorSight::Confirmed);
-    EXPECT_EQ(floor_at(scan, 1.99, 0.0, 0.0, {0.0, 0.0}), FloorSight::Confirmed);
-    EXPECT_EQ(floor_at(scan, 2.01, 0.0, 0.0, {0.0, 0.0}), FloorSight::NotSeen);
-    EXPECT_EQ(floor_at(scan, -1.0, 0.0, 0.0, {0.0, 0.0}), FloorSight::NotSeen) << "behind the camera";
+    EXPECT_EQ(floor_at(scan, 0.39, 0.0, 0.0, 0.0), FloorSight::NotSeen) << "below the view";
+    EXPECT_EQ(floor_at(scan, 0.41, 0.0, 0.0, 0.0), FloorSight::Confirmed);
+    EXPECT_EQ(floor_at(scan, 1.99, 0.0, 0.0, 0.0), FloorSight::Confirmed);
+    EXPECT_EQ(floor_at(scan, 2.01, 0.0, 0.0, 0.0), FloorSight::NotSeen);
+    EXPECT_EQ(floor_at(scan, -1.0, 0.0, 0.0, 0.0), FloorSight::NotSeen) << "behind the camera";
 }
 
 TEST(ContactFloor, APlaceIsConfirmedWhenItIsFloorUpToItsFarEnd) {
     const ContactScan scan = free_scan(2.0);
-    EXPECT_EQ(floor_at(scan, 1.94, 0.0, 0.05, {0.0, 0.0}), FloorSight::Confirmed);
-    EXPECT_EQ(floor_at(scan, 1.96, 0.0, 0.05, {0.0, 0.0}), FloorSight::NotSeen);
-    EXPECT_EQ(floor_at(scan, 1.96, 0.0, 0.05, {0.0, 3.0}), FloorSight::Unconfirmed);
+    EXPECT_EQ(floor_at(scan, 1.94, 0.0, 0.05, 0.0), FloorSight::Confirmed);
+    EXPECT_EQ(floor_at(scan, 1.96, 0.0, 0.05, 0.0), FloorSight::NotSeen);
+    EXPECT_EQ(floor_at(scan, 1.96, 0.0, 0.05, 3.0), FloorSight::Unconfirmed);
 }
 
 TEST(ContactFloor, ToTheRightLieTheStripsOfPositiveTangent) {
     ContactScan scan = open_scan();
     confirm(scan, 0.2, 0.6, 2.0);
-    EXPECT_EQ(floor_at(scan, 1.0, 0.4, 0.0, {0.0, 0.0}), FloorSight::Confirmed);
-    EXPECT_EQ(floor_at(scan, 1.0, -0.4, 0.0, {0.0, 0.0}), FloorSight::NotSeen);
-    EXPECT_EQ(floor_at(scan, 1.0, 1.4, 0.0, {0.0, 0.0}), FloorSight::NotSeen) << "outside the view";
+    EXPECT_EQ(floor_at(scan, 1.0, 0.4, 0.0, 0.0), FloorSight::Confirmed);
+    EXPECT_EQ(floor_at(scan, 1.0, -0.4, 0.0, 0.0), FloorSight::NotSeen);
+    EXPECT_EQ(floor_at(scan, 1.0, 1.4, 0.0, 0.0), FloorSight::NotSeen) << "outside the view";
 }
 
 TEST(ContactFloor, WhatIsInViewAndNotFreeIsUnconfirmedUpToTheGivenDistance) {
     const ContactScan scan = free_scan(0.8);
-    EXPECT_EQ(floor_at(scan, 0.9, 0.0, 0.0, {0.0, 1.2}), FloorSight::Unconfirmed);
-    EXPECT_EQ(floor_at(scan, 1.3, 0.0, 0.0, {0.0, 1.2}), FloorSight::NotSeen);
+    EXPECT_EQ(floor_at(scan, 0.9, 0.0, 0.0, 1.2), FloorSight::Unconfirmed);
+    EXPECT_EQ(floor_at(scan, 1.3, 0.0, 0.0, 1.2), FloorSight::NotSeen);
     ContactScan blind = open_scan();
     for (ContactStrip& s : blind.strips) s.seen = false;
-    EXPECT_EQ(floor_at(blind, 0.9, 0.0, 0.0, {0.0, 1.2}), FloorSight::NotSeen);
+    EXPECT_EQ(floor_at(blind, 0.9, 0.0, 0.0, 1.2), FloorSight::NotSeen);
 }
 
 TEST(ContactFloor, EndsAtTheNearEndOfAnObstacleAndOfThoseBesideIt) {
@@ -61,8 +61,7 @@ TEST(ContactFloor, EndsAtTheNearEndOfAnObstacleAndOfThoseBesideIt) {
         EXPECT_NEAR(floor_to_m(scan, strip(scan, tangent)), 1.5, 1e-9) << tangent;
     for (const double tangent : {0.025, 0.225})
         EXPECT_NEAR(floor_to_m(scan, strip(scan, tangent)), 3.0, 1e-9) << tangent;
-    EXPECT_EQ(floor_at(scan, 1.8, 0.125 * 1.8, 0.0, {0.0, 9.0}), FloorSight::NotSeen)
-        << "hidden, not unconfirmed";
+    EXPECT_EQ(floor_at(scan, 1.8, 0.125 * 1.8, 0.0, 9.0), FloorSight::NotSeen) << "hidden, not unconfirmed";
 }
 
 TEST(ContactFloor, AnUnknownStripHasNoneEvenWhenItHoldsADistance) {
@@ -89,9 +88,11 @@ TEST(ContactFloor, ItsCellsAreThoseThatTheRobotSawAtTheEndOfTheCycle) {
     const Pose2 T_map_robot{2.0, -1.0, 1.1};
     const GridFrame frame{Vector2d(0.03, 0.01), 0.05};
     std::set<std::pair<int, int>> cells;
-    for_each_floor_cell(scan, T_map_robot, frame, {0.0, 0.0},
-                        [&](const Eigen::Vector2i& cell, FloorSight sight) {
+    for_each_floor_cell(scan, T_map_robot, frame, 0.0,
+                        [&](const Eigen::Vector2i& cell, FloorSight sight, double forward_m) {
                             EXPECT_EQ(sight, FloorSight::Confirmed);
+                            EXPECT_GT(forward_m, 0.4);
+                            EXPECT_LT(forward_m, 2.0);
                             EXPECT_TRUE(cells.insert({cell.x(), cell.y()}).second);
                         });
     for (const double forward_m : {0.5, 1.0, 1.9}) {
@@ -105,11 +106,11 @@ TEST(ContactFloor, ItsCellsAreThoseThatTheRobotSawAtTheEndOfTheCycle) {
 }
 
 TEST(ContactFloor, AScanWithoutStripsHasNoCells) {
-    const auto visit = [](const Eigen::Vector2i&, FloorSight) { FAIL(); };
-    for_each_floor_cell(ContactScan{}, Pose2{}, GridFrame{}, {0.0, 5.0}, visit);
+    const auto visit = [](const Eigen::Vector2i&, FloorSight, double) { FAIL(); };
+    for_each_floor_cell(ContactScan{}, Pose2{}, GridFrame{}, 5.0, visit);
     ContactScan blind = open_scan();
     for (ContactStrip& s : blind.strips) s.seen = false;
-    for_each_floor_cell(blind, Pose2{}, GridFrame{}, {0.0, 5.0}, visit);
+    for_each_floor_cell(blind, Pose2{}, GridFrame{}, 5.0, visit);
 }
 
 TEST(ContactLine, IsAsWideAsItsStripAndRunsFromLeftToRight) {

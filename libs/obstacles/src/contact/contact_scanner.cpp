@@ -349,10 +349,7 @@ void reserve(ContactMemory& memory, const CameraModel& camera) {
     memory.floor.floor.reserve(strips_max * (half(camera.height_px) / cell_rows + 1));
     memory.floor.sorted.reserve(strips_max);
     memory.floor.missing.reserve(half(camera.height_px) / cell_rows + 1);
-    memory.registration.pixels.reserve(pixels / 64 + 1);
-    memory.registration.residuals.reserve(pixels / 64 + 1);
-    memory.registration.sorted.reserve(pixels / 64 + 1);
-    memory.registration.jacobians.reserve(pixels / 64 + 1);
+    reserve(memory.registration, pixels);
     memory.earlier.reserve(1024);
     memory.work.scan.strips.reserve(strips_max);
     reserve(memory.cone, half(camera.height_px) / cell_rows);

@@ -130,6 +130,14 @@ bool improve(const LevelImage& reference, const LevelImage& newer, const Paramet
 
 }  // namespace
 
+void reserve(RegistrationScratch& scratch, std::size_t pixels) {
+    const std::size_t tiles = pixels / (tile_px * tile_px) + 1;
+    scratch.pixels.reserve(tiles);
+    scratch.residuals.reserve(tiles);
+    scratch.sorted.reserve(tiles);
+    scratch.jacobians.reserve(tiles);
+}
+
 void choose_floor_pixels(const LevelImage& newer, double noise, RegistrationScratch& scratch) {
     choose_pixels(newer, noise, scratch.pixels);
 }

@@ -11,17 +11,17 @@ namespace flownav::obstacles {
 namespace {
 
 // Free floor.
-constexpr int floor_min = 3;            // pixels of floor in a cell that is floor
-constexpr float preference_min = 0.3F;  // of the costs of floor to those of something nearer
-constexpr double usual_max = 1.2;       // more texture is not asked for
-constexpr double sure_share = 0.6;      // of the usual preference of a row: least of a cell with floor pixels
-constexpr double least_share = 0.65;    // of the usual preference of a row: least of a cell
-constexpr int preferring_min = 64;      // pixels
-constexpr double misfit_share = 0.1;    // of the pixels of a cell that moves as floor
+constexpr int floor_min = 3;              // pixels of floor in a cell that is floor
 constexpr double not_floor_share = 0.34;  // of them: largest number of pixels that are not
-constexpr double gap_share = 0.2;         // of the distance: longest way without a cell of floor
-constexpr double missing_max = 4.0;       // log-likelihood of texture that should have been seen
-constexpr double contradiction = 1.5;     // added for a cell that is not floor
+constexpr float preference_min = 0.3F;    // of the costs of floor to those of something nearer
+constexpr double usual_max = 1.2;         // more texture is not asked for
+constexpr double sure_share = 0.6;     // of the usual preference of a row: least of a cell with floor pixels
+constexpr double least_share = 0.65;   // of the usual preference of a row: least of a cell
+constexpr int preferring_min = 64;     // pixels of a cell and its neighbours that tell a preference
+constexpr double misfit_share = 0.1;   // of the pixels of a cell that moves as floor
+constexpr double gap_share = 0.2;      // of the distance: longest way without a cell of floor
+constexpr double missing_max = 4.0;    // log-likelihood of texture that should have been seen
+constexpr double contradiction = 1.5;  // added for a cell that is not floor
 constexpr double presence_max = 0.97;
 constexpr int presence_cells = 3;  // cells over which the presence of texture is measured
 // Walls.
@@ -119,12 +119,14 @@ double floor_end_m(const LevelImage& image, const StripGrid& grid, const std::ve
     return end_m;
 }
 
-/// Distance of the first edge below a surface that has none from above the horizon; 0: no such surface.
+/// The first edge below a surface that has none.
 struct FirstEdge {
-    double upper_m = 0.0;
+    int cell = 0;          ///< its uppermost one
+    double upper_m = 0.0;  ///< distance; 0: no such surface
     double lower_m = 0.0;  ///< lower rim of the edge
 };
 
+/// Looks down a strip from cell `from`.
 FirstEdge first_edge(const LevelImage& image, const StripGrid& grid, const std::vector<FloorCell>& cells,
                      int strip, int from) {
     if (from < 1) return {};
@@ -137,7 +139,7 @@ FirstEdge first_edge(const LevelImage& image, const StripGrid& grid, const std::
     if (cell >= grid.cells || cell * cell_rows <= grid.top_row) return {};
     const int upper = cell;
     while (cell + 1 < grid.cells && has_edge(cells[grid.index(cell + 1, strip)])) ++cell;
-    return {cell_floor_m(image.camera, upper), cell_floor_m(image.camera, cell)};
+    return {upper, cell_floor_m(image.camera, upper), cell_floor_m(image.camera, cell)};
 }
 
 /// The surface reaches above the horizon; or it is near, begins where the floor ends, and reaches to where
@@ -149,9 +151,7 @@ FirstEdge surface_edge(const LevelImage& image, const StripGrid& grid, const std
     if (tall.upper_m > 0.0) return tall;
     const FirstEdge low = first_edge(image, grid, cells, strip, grid.top_row / cell_rows + 1);
     if (!(low.upper_m > 0.0 && low.upper_m < low_surface_m)) return {};
-    const auto cell =
-        static_cast<std::ptrdiff_t>(image.camera.row_of(image.camera.height_m / low.upper_m) / cell_rows);
-    const auto edge = map.missing.begin() + std::clamp<std::ptrdiff_t>(cell, 0, grid.cells - 1);
+    const auto edge = map.missing.begin() + low.cell;
     const double missing = std::accumulate(map.missing.begin(), edge, 0.0);
     const bool hides_floor = edge[0] > low_missing_min && missing > missing_max;
     return hides_floor && floor_end_m > low_floor_share * low.upper_m ? low : FirstEdge{};

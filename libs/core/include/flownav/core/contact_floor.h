@@ -13,15 +13,14 @@ enum class FloorSight {
     Confirmed,
 };
 
-/// Forward distances from the camera.
-struct ForwardRange {
-    double from_m = 0.0;
-    double to_m = 0.0;
-};
+/// Forward distances from the camera between which most scans see what stands on the floor: where one sees
+/// neither that nor floor, nothing is likely to stand.
+constexpr double looked_through_from_m = 0.9;
+constexpr double looked_through_to_m = 2.0;
 
-/// Where most scans see what stands on the floor: where one sees neither that nor floor, nothing is likely
-/// to stand.
-constexpr ForwardRange looked_through{0.9, 2.0};
+inline bool is_looked_through(double forward_m) {
+    return forward_m >= looked_through_from_m && forward_m < looked_through_to_m;
+}
 
 /// Forward distance up to which strip `i` was seen: that of the nearest obstacle of the strip and its two
 /// neighbours, at the near end of the obstacle's interval. Infinity when there is none.
@@ -33,10 +32,10 @@ double floor_to_m(const ContactScan& scan, int i);
 
 /// What the scan says about the floor of a place whose middle lies `forward_m` ahead of the camera and
 /// `right_m` to its right, in the robot frame of the SCAN, and that reaches `half_m` farther ahead. It is
-/// Confirmed when it is floor up to its far end. Unconfirmed is told of middles within the forward distances
-/// `unconfirmed` only: farther away a scan confirms floor by chance.
+/// Confirmed when it is floor up to its far end. Unconfirmed is told of middles up to the forward distance
+/// `unconfirmed_to_m` only: farther away a scan confirms floor by chance.
 FloorSight floor_at(const ContactScan& scan, double forward_m, double right_m, double half_m,
-                    const ForwardRange& unconfirmed);
+                    double unconfirmed_to_m);
 
 /// Share of the strips that show floor, of those that were seen and hold no obstacle: how surely this scan
 /// confirms floor of this kind. 0 when no strip was seen.
@@ -45,13 +44,14 @@ double floor_share(const ContactScan& scan);
 /// Box in a frame around the floor that floor_at() tells about. T_frame_robot: robot frame of the record.
 /// Empty when it tells about none.
 Eigen::AlignedBox2d floor_bounds(const ContactScan& scan, const Pose2& T_frame_robot,
-                                 const ForwardRange& unconfirmed);
+                                 double unconfirmed_to_m);
 
-/// Calls visit(cell, sight) for every cell of `frame` that is Unconfirmed or Confirmed.
+/// Calls visit(cell, sight, forward distance from the camera) for every cell of `frame` that is Unconfirmed
+/// or Confirmed.
 template <class Visit>
 void for_each_floor_cell(const ContactScan& scan, const Pose2& T_frame_robot, const GridFrame& frame,
-                         const ForwardRange& unconfirmed, const Visit& visit) {
-    const Eigen::AlignedBox2d bounds = floor_bounds(scan, T_frame_robot, unconfirmed);
+                         double unconfirmed_to_m, const Visit& visit) {
+    const Eigen::AlignedBox2d bounds = floor_bounds(scan, T_frame_robot, unconfirmed_to_m);
     if (bounds.isEmpty()) return;
     const Pose2 T_scan_frame = inverse(compose(T_frame_robot, scan.T_robot_scan));
     const Eigen::Vector2d origin_m = transform(T_scan_frame, frame.middle_of({0, 0})) - scan.camera_m;
@@ -63,8 +63,8 @@ void for_each_floor_cell(const ContactScan& scan, const Pose2& T_frame_robot, co
     for (int y = low.y(); y <= high.y(); ++y) {
         for (int x = low.x(); x <= high.x(); ++x) {
             const Eigen::Vector2d p_m = origin_m + x * along_x + y * along_y;
-            const FloorSight sight = floor_at(scan, p_m.x(), -p_m.y(), frame.cell_m / 2, unconfirmed);
-            if (sight != FloorSight::NotSeen) visit(Eigen::Vector2i(x, y), sight);
+            const FloorSight sight = floor_at(scan, p_m.x(), -p_m.y(), frame.cell_m / 2, unconfirmed_to_m);
+            if (sight != FloorSight::NotSeen) visit(Eigen::Vector2i(x, y), sight, p_m.x());
         }
     }
 }

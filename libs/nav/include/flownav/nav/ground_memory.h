@@ -66,6 +66,7 @@ class GroundMemory {
 
     Ground at(const Eigen::Vector2i& cell, double time_s) const;
     bool note_cell(const Eigen::Vector2i& cell, bool is_free, double time_s);
+    void note_confirmed(const Eigen::Vector2i& cell, double time_s);
     void look_through(const Eigen::Vector2i& cell, double time_s);
     void note_unconfirmed(const Eigen::Vector2i& cell, double doubt, double time_s);
     void note_unknown(const Eigen::Vector2i& cell, const Eigen::Vector2d& at_robot_m, double time_s);

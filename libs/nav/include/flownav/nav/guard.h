@@ -77,8 +77,8 @@ class Guard {
     bool may_turn_out(const Fault& fault, double time_s) const;
     MotionCommand limited() const;
     Fault objection(const Surroundings& now, const MotionCommand& candidate) const;
-    bool is_unscanned(const Surroundings& now, const MotionCommand& candidate) const;
-    Fault objection_to_unseen(bool crawls) const;
+    bool has_turned_since_scan(const Surroundings& now, const MotionCommand& candidate) const;
+    Fault objection_to_unseen(const Forecast& ahead, double fast_mps) const;
     Fault objection_to_speed(const Surroundings& now, const MotionCommand& candidate) const;
     SafetyDecision allow(const Surroundings& now, const MotionCommand& wanted) const;
     SafetyDecision sent(const Surroundings& now, const SafetyDecision& safety);

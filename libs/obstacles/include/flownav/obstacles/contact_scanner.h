@@ -66,7 +66,7 @@ struct EarlierContact {
 struct StripEvidence {
     Contact votes;
     double floor_end_m = 0.0;   ///< floor is confirmed from the lower border of the image up to here
-    double wall_m = 0.0;        ///< foot of a surface without edges that reaches above the horizon; 0: none
+    double wall_m = 0.0;        ///< foot of a surface without edges, see find_walls(); 0: none
     bool is_seen = false;       ///< its near floor was compared
     double first_edge_m = 0.0;  ///< memory of the wall rule
 };

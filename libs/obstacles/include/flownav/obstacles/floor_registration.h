@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "flownav/obstacles/floor_warp.h"
@@ -29,6 +30,9 @@ struct RegistrationScratch {
     std::vector<double> sorted;
     std::vector<std::array<float, 7>> jacobians;
 };
+
+/// Room for images of so many pixels, so that no registration allocates.
+void reserve(RegistrationScratch& scratch, std::size_t pixels);
 
 /// Chooses the pixels of `newer` that register_floor() compares: the strongest edges below the horizon.
 /// `noise`: standard deviation of differences of grey levels.

@@ -12,7 +12,8 @@ void find_floor_ends(const LevelImage& image, const std::vector<FloorCell>& cell
                      std::vector<StripEvidence>& strips);
 
 /// Sets wall_m of every strip by the static rule: what has no edge from above the horizon down to its first
-/// edge is no floor. Needs floor ends and votes.
+/// edge is no floor, nor what begins near by where the floor ends and hides floor that other strips show.
+/// Needs floor ends and votes.
 void find_walls(const LevelImage& image, const std::vector<FloorCell>& cells, const FloorMap& map,
                 double range_max_m, std::vector<StripEvidence>& strips);
 
