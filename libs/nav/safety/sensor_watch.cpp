@@ -35,10 +35,9 @@ void SensorWatch::sensed(const SensorReport& report) {
 void SensorWatch::note_sectors(const SensorReport& report) {
     for (std::size_t i = 0; i < report.blocks.size(); ++i) {
         const bool few_blocks = report.confident[i] < params_.sector_share * report.blocks[i];
-        const bool few_strips = report.bearings[i] == 0 || 2 * report.decided[i] < report.bearings[i];
         // Something without texture is in view when light comes and scans look for such things. A cover is
         // black, whatever the last scan saw.
-        const bool blind = few_blocks && (report.unlit[i] || (few_strips && !report.scans));
+        const bool blind = few_blocks && (report.unlit[i] || !report.scans);
         if (!blind) blind_since_s_[i].reset();
         if (blind && !blind_since_s_[i]) blind_since_s_[i] = report.timestamp_s;
     }

@@ -1,14 +1,9 @@
 #include "flownav/pipeline/sensor_report.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace flownav::pipeline {
 namespace {
-
-// A scan from farther away does not speak of what is in view now.
-constexpr double scan_way_m = 0.3;
-constexpr double scan_turn_rad = 0.3;
 
 constexpr int sparse_px = 16;  // spacing of the pixels that tell the brightness of a sector
 constexpr double black_grey = 24.0;
@@ -19,29 +14,11 @@ int sector_of(double share_across) {
     return std::clamp(static_cast<int>(share_across * SensorReport::sectors), 0, SensorReport::sectors - 1);
 }
 
-bool speaks_of_now(const ContactScan& scan) {
-    const Pose2& T = scan.T_robot_scan;
-    return scan.gate == ContactGate::Open && std::hypot(T.x_m, T.y_m) < scan_way_m &&
-           std::abs(T.yaw_rad) < scan_turn_rad;
-}
-
 /// True when the last scan shows that the camera sees something, or none could be made yet.
 bool sees_edges(const ContactScan& scan) {
     if (scan.gate == ContactGate::NoTravel) return true;
     return scan.gate == ContactGate::Open &&
            std::any_of(scan.strips.begin(), scan.strips.end(), [](const ContactStrip& s) { return s.seen; });
-}
-
-void count_strips(const ContactScan& scan, const CameraModel& camera, SensorReport& report) {
-    if (!speaks_of_now(scan)) return;
-    const double per_tangent = camera.fx_px * std::cos(camera.mount.pitch_rad);
-    for (int i = 0; i < static_cast<int>(scan.strips.size()); ++i) {
-        const double across = (camera.cx_px + per_tangent * middle_tangent(scan, i)) / camera.width_px;
-        if (!(across >= 0.0 && across <= 1.0)) continue;
-        ++report.bearings[sector_of(across)];
-        report.decided[sector_of(across)] +=
-            scan.strips[static_cast<std::size_t>(i)].kind != BeamKind::Unknown;
-    }
 }
 
 }  // namespace
@@ -81,7 +58,6 @@ SensorReport sensor_report(const Step& step, const CameraModel& camera) {
         ++report.blocks[sector];
         report.confident[sector] += block.fresh;
     }
-    count_strips(step.contacts, camera, report);
     report.scans = step.contacts.gate != ContactGate::Off;
     report.sees_edges = sees_edges(step.contacts);
     return report;

@@ -22,43 +22,6 @@ CameraModel camera() {
     return c;
 }
 
-/// Report of a step whose scan sees an obstacle in the strips between two tangents.
-SensorReport report_of_obstacle(double from, double to, const Pose2& T_robot_scan = {}) {
-    Step step;
-    step.contacts = testing::open_scan();
-    step.contacts.T_robot_scan = T_robot_scan;
-    testing::block(step.contacts, from, to, 1.5);
-    return sensor_report(step, camera());
-}
-
-TEST(SensorReportOfStep, AnObstacleOnTheRightIsInTheRightSector) {
-    const SensorReport report = report_of_obstacle(0.6, 0.9);
-    EXPECT_GT(report.decided[3], 3);
-    EXPECT_EQ(report.decided[0] + report.decided[1] + report.decided[2], 0);
-    for (const int strips : report.bearings) EXPECT_GT(strips, 5);
-}
-
-TEST(SensorReportOfStep, AnObstacleOnTheLeftIsInTheLeftSector) {
-    const SensorReport report = report_of_obstacle(-0.9, -0.6);
-    EXPECT_GT(report.decided[0], 3);
-    EXPECT_EQ(report.decided[1] + report.decided[2] + report.decided[3], 0);
-}
-
-TEST(SensorReportOfStep, AScanFromElsewhereDoesNotSpeakOfNow) {
-    EXPECT_GT(report_of_obstacle(0.6, 0.9, {-0.29, 0.0, 0.0}).bearings[3], 0);
-    EXPECT_EQ(report_of_obstacle(0.6, 0.9, {-0.31, 0.0, 0.0}).bearings[3], 0);
-    EXPECT_GT(report_of_obstacle(0.6, 0.9, {0.0, 0.0, 0.29}).bearings[3], 0);
-    EXPECT_EQ(report_of_obstacle(0.6, 0.9, {0.0, 0.0, 0.31}).bearings[3], 0);
-}
-
-TEST(SensorReportOfStep, AClosedGateDecidesNothing) {
-    Step step;
-    step.contacts = testing::free_scan(2.0);
-    step.contacts.gate = ContactGate::PoorFloor;
-    const SensorReport report = sensor_report(step, camera());
-    for (const int strips : report.bearings) EXPECT_EQ(strips, 0);
-}
-
 TEST(SensorReportOfStep, ScansSeeEdgesWhenAStripShowsOneAndTheFloorIsBelieved) {
     Step step;
     EXPECT_FALSE(sensor_report(step, camera()).scans);

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "contact_decisions.h"
 #include "flownav/core/plane_geometry.h"
 #include "flownav/obstacles/strip_grid.h"
 #include "flownav/obstacles/strip_rules.h"
 #include "scan_places.h"
-#include "set_obstacle.h"
 
 namespace flownav::obstacles {
 namespace {
@@ -24,18 +24,8 @@ constexpr double turn_max_rad = 0.6;  // between the images of a scan
 constexpr double in_view_m = 2.0;     // a strip is seen when its floor was compared nearer than this
 constexpr double way_error_min = 0.015;
 constexpr double way_error_max = 0.05;
-constexpr double own_share = 0.15;   // of the votes of three strips: those of the middle one
-constexpr double sure_from_m = 1.0;  // nearer, no contact is believed that was not seen before
-constexpr double near_wall_m =
-    1.0;  // farther, a wall is believed that was seen before: lines on the floor move
 constexpr double floor_preference_max = 0.4;  // of the costs above a contact
-constexpr int confirming_scans = 2;           // so many scans back
-constexpr double same_place_m = 0.2;
-constexpr double same_place_share = 0.12;     // of the distance
 constexpr double informative_share = 0.0026;  // of all pixels: so many can tell whether the near floor is one
-constexpr double flat_surface = 0.12;  // largest relative step of range between the ends of one surface
-constexpr int hole_strips = 2;         // most strips inside a surface without votes
-constexpr double one_surface = 0.3;    // largest relative step of range between strips of one surface
 
 /// Keeps what the newest comparison tells about lens and noise.
 void take_lesson(ContactMemory& memory) {
@@ -80,107 +70,6 @@ void gather_evidence(const KeyImage& newer, const ContactParams& params, Contact
     }
     find_floor_ends(newer.image, memory.comparison.cells, memory.floor, memory.evidence);
     find_walls(newer.image, memory.comparison.cells, memory.floor, params.range_max_m, memory.evidence);
-}
-
-/// True when one of the first `count` earlier contacts was at this place.
-bool was_seen_before(const ContactMemory& memory, std::size_t count, const Vector2d& place_m,
-                     double forward_m) {
-    const double tolerance_m = std::max(same_place_m, same_place_share * forward_m);
-    for (std::size_t i = 0; i < count; ++i)
-        if ((memory.earlier[i].place_m - place_m).norm() < tolerance_m) return true;
-    return false;
-}
-
-void forget_old(ContactMemory& memory) {
-    const auto is_old = [&](const EarlierContact& c) { return c.scan < memory.scans - confirming_scans; };
-    memory.earlier.erase(std::remove_if(memory.earlier.begin(), memory.earlier.end(), is_old),
-                         memory.earlier.end());
-}
-
-/// Mean of the ranges of a surface over five strips, weighted by their votes; without the strips of others.
-double smooth_m(const std::vector<StripEvidence>& strips, int strip) {
-    const auto at = [&](int s) -> const Contact& { return strips[static_cast<std::size_t>(s)].votes; };
-    const double here_m = at(strip).forward_m;
-    double sum = 0.0;
-    double weight = 0.0;
-    for (int s = std::max(0, strip - 2); s <= std::min(static_cast<int>(strips.size()) - 1, strip + 2); ++s) {
-        if (std::abs(at(s).forward_m - here_m) > one_surface * here_m) continue;
-        sum += at(s).score * at(s).forward_m;
-        weight += at(s).score;
-    }
-    return sum / weight;
-}
-
-/// Notes a place that shows a contact; true when an earlier scan saw it as well.
-bool note_place(ContactMemory& memory, std::size_t known, const Vector2d& place_m, double forward_m) {
-    const bool before = was_seen_before(memory, known, place_m, forward_m);
-    memory.earlier.push_back({place_m, memory.scans});
-    return before;
-}
-
-/// Votes and walls become obstacles when an earlier scan saw them too, or when the votes are many.
-void decide_obstacles(ContactMemory& memory, const Pose2& T_start_robot, const ContactParams& params,
-                      ContactScan& out) {
-    const std::size_t known = memory.earlier.size();  // places of this scan do not confirm each other
-    for (int s = 0; s < static_cast<int>(out.strips.size()); ++s) {
-        const StripEvidence& e = memory.evidence[static_cast<std::size_t>(s)];
-        ContactStrip& strip = out.strips[static_cast<std::size_t>(s)];
-        const auto place_at = [&](double forward_m) {
-            return place_of(out, T_start_robot, forward_m, middle_tangent(out, s));
-        };
-        strip.score = e.votes.score;
-        if (e.votes.score > params.score_min && e.votes.own > own_share * e.votes.score) {
-            const double forward_m = smooth_m(memory.evidence, s);
-            const bool before = note_place(memory, known, place_at(forward_m), forward_m);
-            const bool is_sure = e.votes.score > params.score_sure && forward_m > sure_from_m;
-            if (before || is_sure)
-                set_obstacle(strip, BeamCause::Votes, forward_m, e.votes.near_m, e.votes.far_m);
-        }
-        if (e.wall_m > 0.0) {
-            const bool before = note_place(memory, known, place_at(e.wall_m), e.wall_m);
-            const bool is_nearest = strip.kind != BeamKind::Obstacle || e.wall_m < strip.contact_m;
-            if ((before || e.wall_m < near_wall_m) && is_nearest)
-                set_obstacle(strip, BeamCause::Wall, e.wall_m, 0.95 * e.wall_m, 1.05 * e.wall_m);
-        }
-    }
-}
-
-/// The inside of a surface of one colour has no votes: a strip between two contacts of one surface is one as
-/// well.
-void fill_holes(ContactScan& out) {
-    const int strips = static_cast<int>(out.strips.size());
-    const auto at = [&](int s) -> ContactStrip& { return out.strips[static_cast<std::size_t>(s)]; };
-    for (int s = 0; s + 2 < strips; ++s) {
-        if (at(s).kind != BeamKind::Obstacle || at(s + 1).kind == BeamKind::Obstacle) continue;
-        for (int end = s + 2; end <= std::min(s + hole_strips + 1, strips - 1); ++end) {
-            if (at(end).kind != BeamKind::Obstacle) continue;
-            const double near_m = std::min(at(s).contact_m, at(end).contact_m);
-            if (std::abs(at(s).contact_m - at(end).contact_m) > flat_surface * near_m) break;
-            for (int k = s + 1; k < end; ++k) {
-                const double share = static_cast<double>(k - s) / (end - s);
-                const double forward_m = at(s).contact_m + share * (at(end).contact_m - at(s).contact_m);
-                set_obstacle(at(k), at(s).cause, forward_m, std::min(at(s).near_m, at(end).near_m),
-                             std::max(at(s).far_m, at(end).far_m));
-            }
-            break;
-        }
-    }
-}
-
-/// Floor is free up to its end, and not beyond the contacts of this strip and its neighbours.
-void decide_floor(const ContactMemory& memory, ContactScan& out) {
-    const int strips = static_cast<int>(out.strips.size());
-    for (int s = 0; s < strips; ++s) {
-        ContactStrip& strip = out.strips[static_cast<std::size_t>(s)];
-        double end_m = memory.evidence[static_cast<std::size_t>(s)].floor_end_m;
-        for (int k = std::max(0, s - 1); k <= std::min(strips - 1, s + 1); ++k) {
-            const ContactStrip& near = out.strips[static_cast<std::size_t>(k)];
-            if (near.kind == BeamKind::Obstacle) end_m = std::min(end_m, near.near_m);
-        }
-        strip.seen = memory.evidence[static_cast<std::size_t>(s)].is_seen;
-        strip.free_m = end_m;
-        if (strip.kind == BeamKind::Unknown && end_m > 0.0) strip.kind = BeamKind::Free;
-    }
 }
 
 void begin(const LevelImage& image, const CameraMount& mount, ContactScan& out) {
@@ -303,9 +192,8 @@ bool vote_of_pair(ContactMemory& memory, const ContactParams& params) {
         return false;
     }
     ++memory.scans;
-    forget_old(memory);
     scan.gate = ContactGate::Open;
-    decide_obstacles(memory, memory.keys[0].T_start_robot, params, scan);
+    decide_obstacles(memory, params, scan);
     return true;
 }
 

@@ -22,8 +22,6 @@ struct SensorReport {
     double carried_s = 0.0;     ///< time since turn and speed were last both measured; 0: with this field
     std::array<int, sectors> blocks = {};     ///< blocks per strip, matched or not
     std::array<int, sectors> confident = {};  ///< blocks per strip that were matched unambiguously
-    std::array<int, sectors> bearings = {};   ///< strips of the contact scan here; 0: no scan speaks of now
-    std::array<int, sectors> decided = {};    ///< of these: with floor or an obstacle
     std::array<bool, sectors> unlit = {};     ///< the strip is black or saturated: a lens that is covered
     bool scans = false;                       ///< contact scans show what has no texture
     bool sees_edges = false;  ///< the last scan saw an edge in some strip, and its floor was believed
