@@ -74,7 +74,8 @@ endfunction()
 
 # flownav_test(NAME flow LABEL unit [THREADS] SOURCES a_unittest.cpp ... LINKS target ...) makes one GoogleTest program.
 # Its files below ::testing::TempDir() lie in the build folder, where no other run meets them. THREADS: what it tests
-# starts threads; the target thread_tests builds all of these, their label is "threads".
+# starts threads; the target thread_tests builds all of these, their label is "threads". With a sanitizer a program is
+# one test, because the start of a process and what its tests share cost more than the tests; else every TEST is one.
 add_custom_target(thread_tests)
 function(flownav_test)
     cmake_parse_arguments(TEST "THREADS" "NAME;LABEL" "SOURCES;LINKS" ${ARGN})
@@ -85,7 +86,12 @@ function(flownav_test)
     endif()
     add_executable(${TEST_LABEL}_${TEST_NAME} ${TEST_SOURCES})
     target_link_libraries(${TEST_LABEL}_${TEST_NAME} PRIVATE ${TEST_LINKS} GTest::gtest_main flownav_options)
-    gtest_discover_tests(${TEST_LABEL}_${TEST_NAME} DISCOVERY_TIMEOUT 60
-                         PROPERTIES LABELS ${labels} TIMEOUT 600 ENVIRONMENT TEST_TMPDIR=${PROJECT_BINARY_DIR}/tmp)
+    set(properties LABELS ${labels} ENVIRONMENT TEST_TMPDIR=${PROJECT_BINARY_DIR}/tmp)
+    if(FLOWNAV_SANITIZE)
+        add_test(NAME ${TEST_LABEL}_${TEST_NAME} COMMAND ${TEST_LABEL}_${TEST_NAME})
+        set_tests_properties(${TEST_LABEL}_${TEST_NAME} PROPERTIES ${properties} TIMEOUT 1800)
+    else()
+        gtest_discover_tests(${TEST_LABEL}_${TEST_NAME} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties} TIMEOUT 600)
+    endif()
     file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/tmp)
 endfunction()

@@ -34,10 +34,10 @@ struct Case {
     fs::path ini = folder / "camera.ini";
 };
 
-Case drive(double speed_mps = 0.6) {
+Case drive(int images = 90, double speed_mps = 0.6) {
     testing::SceneOptions options;
     options.kind = testing::SceneKind::Straight;
-    options.images = 90;
+    options.images = images;
     options.speed_mps = speed_mps;
     options.camera = testing::standard_camera(320, 240);
     Case result;
@@ -73,7 +73,7 @@ TEST(CalibrateApp, FindsPitchRollAndHeightFromAWrongStartAndWritesAnIniThatLoads
 }
 
 TEST(CalibrateApp, WithoutOdometryTheHeightStaysAndItSaysSo) {
-    const Case c = drive();
+    const Case c = drive(60);
     const Outcome result = run({c.rawlog.string(), "--output", c.ini.string(), "--set", "flow.blocks=200"});
     EXPECT_EQ(result.status, 0) << result.error;
     EXPECT_NE(result.out.find("height_m: not determined"), std::string::npos) << result.out;
@@ -85,7 +85,7 @@ TEST(CalibrateApp, WithoutOdometryTheHeightStaysAndItSaysSo) {
 }
 
 TEST(CalibrateApp, ARobotThatStandsStillDoesNotDetermineAnything) {
-    const Case c = drive(0.0005);
+    const Case c = drive(30, 0.0005);
     const Outcome result = run({c.rawlog.string(), "--output", c.ini.string(), "--set", "flow.blocks=100"});
     EXPECT_EQ(result.status, 4);
     EXPECT_NE(result.error.find("does not determine"), std::string::npos) << result.error;
@@ -101,7 +101,7 @@ TEST(CalibrateApp, ADamagedRawlogIsUsedAsFarAsItCanBeRead) {
 }
 
 TEST(CalibrateApp, BadUsageIsStatus1AndAnUnwritableOutput3) {
-    const Case c = drive();
+    const Case c = drive(30);
     EXPECT_EQ(run({}).status, 1);
     EXPECT_EQ(run({c.rawlog.string()}).status, 1);
     EXPECT_EQ(run({c.rawlog.string(), "--output", c.ini.string(), "--set", "camera.pich_deg=1"}).status, 1);
@@ -109,7 +109,7 @@ TEST(CalibrateApp, BadUsageIsStatus1AndAnUnwritableOutput3) {
     EXPECT_EQ(run({c.rawlog.string(), "--output", c.rawlog.string()}).status, 1);
     EXPECT_EQ(run({c.rawlog.string(), "--output", c.ini.string(), "--wrong"}).status, 1);
     EXPECT_EQ(run({c.rawlog.string(), "--output", (c.folder / "none" / "c.ini").string(), "--set",
-                   "flow.blocks=200"})
+                   "flow.blocks=100"})
                   .status,
               3);
 }
