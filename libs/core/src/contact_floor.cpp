@@ -23,18 +23,23 @@ double left_tangent(const ContactScan& scan, int i) {
     return (scan.first + i) * scan.step;
 }
 
+/// Forward distance at which an obstacle is drawn: its best estimate; of a drop the end of the floor.
+double begin_m(const ContactStrip& strip) {
+    return strip.cause == BeamCause::Drop ? strip.near_m : strip.contact_m;
+}
+
 /// The end of a line of strip `i` toward strip `j`, its neighbour. `tangent`: of the border between them.
 Vector2d end_toward(const ContactScan& scan, int i, int j, double tangent) {
     const ContactStrip& strip = strip_at(scan, i);
-    const Vector2d border_m = point_of(scan, tangent, strip.near_m);
+    const Vector2d border_m = point_of(scan, tangent, begin_m(strip));
     if (!has_strip(scan, j)) return border_m;
     const ContactStrip& other = strip_at(scan, j);
     const bool is_long = strip.cause == BeamCause::Wall || strip.cause == BeamCause::Drop;
     const bool is_same = other.kind == BeamKind::Obstacle && other.cause == strip.cause;
-    const double ratio = std::max(strip.near_m, other.near_m) / std::min(strip.near_m, other.near_m);
+    const double ratio = std::max(begin_m(strip), begin_m(other)) / std::min(begin_m(strip), begin_m(other));
     if (!is_long || !is_same || !(ratio < going_on_ratio)) return border_m;
-    return (point_of(scan, middle_tangent(scan, i), strip.near_m) +
-            point_of(scan, middle_tangent(scan, j), other.near_m)) /
+    return (point_of(scan, middle_tangent(scan, i), begin_m(strip)) +
+            point_of(scan, middle_tangent(scan, j), begin_m(other))) /
            2;
 }
 
@@ -98,7 +103,7 @@ Eigen::AlignedBox2d floor_bounds(const ContactScan& scan, const Pose2& T_frame_r
 
 ContactLine line_of(const ContactScan& scan, int i) {
     return {end_toward(scan, i, i - 1, left_tangent(scan, i)),
-            point_of(scan, middle_tangent(scan, i), strip_at(scan, i).near_m),
+            point_of(scan, middle_tangent(scan, i), begin_m(strip_at(scan, i))),
             end_toward(scan, i, i + 1, left_tangent(scan, i + 1))};
 }
 

@@ -10,11 +10,15 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double seen_obstacle = 0.36;  // by a point that is surely in its cell; two cycles make it occupied
-// By a contact of the scan, which two scans or many votes told: at its near end there was floor until now,
-// and one sight more must outweigh it.
+// By a contact of the scan, which two scans or many votes told: where it stands there may have been floor
+// until now, and one sight more must outweigh it.
 constexpr double seen_contact = 0.2;
+constexpr double depth_m = 0.1;  // least depth of things, whose backs nobody sees
+constexpr double behind_contact = 0.4;
 constexpr double says_nothing = 0.5;
 constexpr double seen_nothing = 0.55;  // by a scan that would have seen most things there, and saw none
+constexpr double seen_farther = 0.6;   // by a scan that saw the contact farther away
+constexpr double contact_error = 0.03;
 constexpr double seen_floor = 0.57;    // weaker: a block of floor before a thin leg says little about the leg
 
 /// A point whose range is uncertain by more than half a cell says less about that one cell.
@@ -58,14 +62,55 @@ void add_point(const GridFrame& frame, const Vector2d& p, double p_free_there,
     evidence.push_back({frame.cell_of(p), p_free_there, false});
 }
 
-/// Contacts are obstacles at the near ends of their intervals. Rims are left to RimMemory. Floor is free up
+/// Forward distance from the camera up to which a contact is surely not: the best estimates of the strip and
+/// its neighbours, less their usual errors.
+double before_m(const ContactScan& scan, int strip) {
+    double to_m = scan.strips[static_cast<std::size_t>(strip)].contact_m;
+    for (int i = std::max(0, strip - 1); i <= std::min(static_cast<int>(scan.strips.size()) - 1, strip + 1);
+         ++i) {
+        const ContactStrip& beside = scan.strips[static_cast<std::size_t>(i)];
+        if (beside.kind == BeamKind::Obstacle) to_m = std::min(to_m, beside.contact_m);
+    }
+    return (1.0 - contact_error) * to_m;
+}
+
+/// The scan sees every contact a little nearer or farther away. An obstacle before it, which only one of many
+/// scans saw there, is doubted.
+void doubt_before_contacts(const GridFrame& frame, const ContactScan& scan, const Pose2& T_frame_robot,
+                           std::vector<Evidence>& evidence) {
+    const double step_m = frame.cell_m / 2;
+    for (int i = 0; i < static_cast<int>(scan.strips.size()); ++i) {
+        const ContactStrip& strip = scan.strips[static_cast<std::size_t>(i)];
+        if (strip.kind != BeamKind::Obstacle || strip.cause == BeamCause::Drop) continue;
+        const double to_m = before_m(scan, i) - frame.cell_m;
+        for (double forward_m = strip.near_m; forward_m < to_m; forward_m += step_m) {
+            const auto at = [&](double tangent) {
+                return transform(T_frame_robot, point_of(scan, tangent, forward_m));
+            };
+            const double half = scan.step / 2;
+            for_each_point(at(middle_tangent(scan, i) - half), at(middle_tangent(scan, i) + half), step_m,
+                           [&](const Vector2d& p) {
+                               evidence.push_back({frame.cell_of(p), seen_farther, true});
+                           });
+        }
+    }
+}
+
+/// Contacts are obstacles at their best estimates. Rims are left to RimMemory. Floor is free up
 /// to the nearest obstacle of its strip and the strips beside it. Where neither floor nor a thing is seen, an
 /// obstacle is doubted.
 void add_contacts(const GridFrame& frame, const ContactScan& scan, const Pose2& T_frame_robot,
                   std::vector<Evidence>& evidence) {
+    const Vector2d camera_m = transform(T_frame_robot, point_of(scan, 0.0, 0.0));
     for_each_contact(scan, T_frame_robot, frame.cell_m / 2, [&](BeamCause cause, const Vector2d& p) {
-        if (cause != BeamCause::Drop) add_point(frame, p, seen_contact, evidence);
+        if (cause == BeamCause::Drop) return;
+        add_point(frame, p, seen_contact, evidence);
+        const Vector2d behind = (p - camera_m).normalized() * depth_m;
+        for_each_point(p, p + behind, frame.cell_m / 2, [&](const Vector2d& inside) {
+            evidence.push_back({frame.cell_of(inside), behind_contact, false});
+        });
     });
+    doubt_before_contacts(frame, scan, T_frame_robot, evidence);
     const auto add_sight = [&](const Eigen::Vector2i& cell, FloorSight sight, double forward_m) {
         if (sight == FloorSight::Confirmed) {
             evidence.push_back({cell, seen_floor, false});

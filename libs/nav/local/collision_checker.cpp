@@ -14,6 +14,8 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double outline_step_m = 0.05;
+constexpr double unconfirmed_margin_m = 0.1;  // a scan confirms floor a little too far
+constexpr double unproven_max_m = 0.05;       // of the outline
 constexpr double inside_cells = 0.75;
 constexpr double rounding_m = 1e-7;
 
@@ -33,7 +35,8 @@ std::vector<Vector2d> points_around(const Polygon& polygon, double inside_m) {
 /// The path, and what a robot that came to stand a little later would pass.
 std::vector<Pose2> prolonged(std::vector<Pose2> path, const MotionCommand& command, double time_s) {
     const Pose2 end = path.back();
-    for (const double share : {0.5, 1.0}) path.push_back(compose(end, pose_after(command, share * time_s)));
+    for (const double share : {0.25, 0.5, 0.75, 1.0})
+        path.push_back(compose(end, pose_after(command, share * time_s)));
     return path;
 }
 
@@ -98,12 +101,12 @@ bool CollisionChecker::touches(const Surroundings& now, const Pose2& T_robot_the
     return false;
 }
 
-/// True when a longer part of the outline than unseen_max_m passes over ground for which holds(place_m, map
+/// True when a longer part of the outline than `most_m` passes over ground for which holds(place_m, map
 /// frame) is true, at one of the poses after the first.
 template <class Holds>
 bool CollisionChecker::holds_under_outline(const Surroundings& now, const std::vector<Pose2>& path,
-                                           const Holds& holds) const {
-    const int most = static_cast<int>(params_.unseen_max_m / outline_step_m);
+                                           double most_m, const Holds& holds) const {
+    const int most = static_cast<int>(most_m / outline_step_m);
     return std::any_of(path.begin() + 1, path.end(), [&](const Pose2& T_robot_then) {
         const Pose2 T_map_then = compose(now.T_map_robot, T_robot_then);
         int count = 0;
@@ -113,20 +116,6 @@ bool CollisionChecker::holds_under_outline(const Surroundings& now, const std::v
         }
         return false;
     });
-}
-
-bool CollisionChecker::is_way_confirmed(const GroundMemory& ground, const Surroundings& now,
-                                        double v_mps) const {
-    double front_m = 0.0;
-    for (const Vector2d& corner : robot_.footprint_m) front_m = std::max(front_m, corner.x());
-    const double to_m = front_m + stopping_distance_m(robot_, v_mps) + v_mps * params_.period_s;
-    for (double x_m = front_m; x_m < to_m + cell_m_; x_m += cell_m_) {
-        for (const double tangent : {-cone_tangent, -cone_tangent / 2, 0.0, cone_tangent / 2, cone_tangent}) {
-            const Vector2d at_m = transform(now.T_map_robot, {x_m, x_m * tangent});
-            if (!ground.is_confirmed(at_m, now.time_s)) return false;
-        }
-    }
-    return true;
 }
 
 Forecast CollisionChecker::forecast(const GroundMemory& ground, const Surroundings& now,
@@ -142,13 +131,19 @@ Forecast CollisionChecker::forecast(const GroundMemory& ground, const Surroundin
     if (forecast.touches) return forecast;
     const double spare_s = 2.0 * inside_cells * cell_m_ / outline_mps(candidate);
     const std::vector<Pose2> on = prolonged(path, candidate, spare_s);
-    forecast.unseen =
-        holds_under_outline(now, on, [&](const Vector2d& p_m) { return !ground.is_seen(p_m, now.time_s); });
-    forecast.unscanned = forecast.unseen && holds_under_outline(now, on, [&](const Vector2d& p_m) {
+    const double most_m = params_.unseen_max_m;
+    forecast.unseen = holds_under_outline(
+        now, on, most_m, [&](const Vector2d& p_m) { return !ground.is_seen(p_m, now.time_s); });
+    forecast.unscanned = forecast.unseen && holds_under_outline(now, on, most_m, [&](const Vector2d& p_m) {
                              return !ground.is_seen(p_m, now.time_s) && !ground.is_scanned(p_m, now.time_s);
                          });
+    const double margin_s = candidate.v_mps > 0.0 ? unconfirmed_margin_m / candidate.v_mps : 0.0;
+    const std::vector<Pose2> farther_on = prolonged(path, candidate, spare_s + margin_s);
     forecast.unconfirmed = holds_under_outline(
-        now, on, [&](const Vector2d& p_m) { return ground.is_unconfirmed(p_m, now.time_s); });
+        now, farther_on, 0.0, [&](const Vector2d& p_m) { return ground.is_unconfirmed(p_m, now.time_s); });
+    forecast.unproven = holds_under_outline(now, farther_on, unproven_max_m, [&](const Vector2d& p_m) {
+        return !ground.is_confirmed(p_m, now.time_s);
+    });
     return forecast;
 }
 

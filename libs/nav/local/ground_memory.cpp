@@ -16,6 +16,7 @@ using Eigen::Vector2i;
 constexpr double deep_inside_m = 0.05;    // an obstacle this far inside the footprint is none
 constexpr double floor_share_max = 0.97;  // no scan is sure to see the floor
 constexpr int scans_through_min = 3;      // that saw nothing where an obstacle is remembered
+constexpr int confirmations_max = 2;      // of one cell that count
 constexpr int scans_min = 2;              // that looked at ground without texture
 
 /// -log of the chance that a scan misses floor in a strip: large where most strips show floor, 0 where the
@@ -71,6 +72,7 @@ void GroundMemory::note(const ContactScan& scan, double time_s, const Pose2& T_m
             look_through(cell, time_s);
             return;
         }
+        doubt_confirmed(cell);
         if (forward_m < params_.unconfirmed_within_m) note_unconfirmed(cell, doubt, time_s);
         if (is_looked_through(forward_m)) look_through(cell, time_s);
     };
@@ -81,8 +83,16 @@ void GroundMemory::note(const ContactScan& scan, double time_s, const Pose2& T_m
 void GroundMemory::note_confirmed(const Vector2i& cell, double time_s) {
     Known& known = cells_.claim(cell);
     known.confirmed_until_s = time_s + params_.free_s;
+    known.confirmations = std::min(known.confirmations + 1, confirmations_max);
     if (known.ground == Ground::Unconfirmed) known.ground = Ground::Unknown;
     known.doubt = 0.0;
+}
+
+/// A scan that saw the floor end before this cell takes back one that confirmed it.
+void GroundMemory::doubt_confirmed(const Vector2i& cell) {
+    Known* const known = cells_.find(cell);
+    if (!known || known->confirmations == 0 || --known->confirmations > 0) return;
+    known->confirmed_until_s = -std::numeric_limits<double>::infinity();
 }
 
 /// Forgets an obstacle that the map no longer shows after some scans in a row saw nothing there.

@@ -170,7 +170,7 @@ Fault Guard::objection(const Surroundings& now, const MotionCommand& candidate) 
         return {GuardReason::UnconfirmedAhead,
                 "has turned since the last contact scan: what stands ahead now shows when it moves"};
     }
-    return ahead.unseen ? objection_to_unseen(ahead, fast_mps) : objection_to_speed(now, candidate);
+    return ahead.unseen ? objection_to_unseen(ahead, fast_mps) : objection_to_speed(ahead, candidate);
 }
 
 /// True when the robot is to drive where no contact scan has looked: scans need travel, and it has turned.
@@ -194,12 +194,11 @@ Fault Guard::objection_to_unseen(const Forecast& ahead, double fast_mps) const {
 }
 
 /// Why the robot may not drive so fast over ground that it has seen: straight ahead obstacles are found late.
-Fault Guard::objection_to_speed(const Surroundings& now, const MotionCommand& candidate) const {
+Fault Guard::objection_to_speed(const Forecast& ahead, const MotionCommand& candidate) const {
     const double slow_mps = params_.collision_checker.unconfirmed_mps;
-    if (!has_scans_ || candidate.v_mps <= slow_mps + rounding_m) return {};
-    if (collision_checker_.is_way_confirmed(ground_, now, candidate.v_mps)) return {};
+    if (!has_scans_ || !ahead.unproven || candidate.v_mps <= slow_mps + rounding_m) return {};
     return {GuardReason::UnconfirmedAhead,
-            sentence("the floor straight ahead is not confirmed: at most ", slow_mps, " m/s")};
+            sentence("the floor on the way is not confirmed: at most ", slow_mps, " m/s")};
 }
 
 SafetyDecision Guard::allow(const Surroundings& now, const MotionCommand& wanted) const {

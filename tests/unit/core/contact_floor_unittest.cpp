@@ -12,6 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 using testing::block;
+using testing::block_at;
 using testing::confirm;
 using testing::free_scan;
 using testing::open_scan;
@@ -115,7 +116,7 @@ TEST(ContactFloor, AScanWithoutStripsHasNoCells) {
 
 TEST(ContactLine, IsAsWideAsItsStripAndRunsFromLeftToRight) {
     ContactScan scan = open_scan();
-    block(scan, 0.2, 0.25, 2.0);
+    block_at(scan, 0.2, 0.25, 2.0);
     const ContactLine line = line_of(scan, strip(scan, 0.225));
     EXPECT_LT((line.left_m - Vector2d(2.0, -0.4)).norm(), 1e-9) << "right of the robot y is negative";
     EXPECT_LT((line.middle_m - Vector2d(2.0, -0.45)).norm(), 1e-9);
@@ -125,8 +126,9 @@ TEST(ContactLine, IsAsWideAsItsStripAndRunsFromLeftToRight) {
 TEST(ContactLine, OfAWallJoinsThatOfItsNeighbourAtASimilarRange) {
     for (const BeamCause cause : {BeamCause::Wall, BeamCause::Drop}) {
         ContactScan scan = open_scan();
-        block(scan, 0.0, 0.05, 2.0, cause);
-        block(scan, 0.05, 0.1, 2.4, cause);
+        const auto put = cause == BeamCause::Drop ? block : block_at;
+        put(scan, 0.0, 0.05, 2.0, cause);
+        put(scan, 0.05, 0.1, 2.4, cause);
         const ContactLine here = line_of(scan, 20);
         const ContactLine next = line_of(scan, 21);
         EXPECT_LT((here.right_m - next.left_m).norm(), 1e-9);
@@ -136,10 +138,10 @@ TEST(ContactLine, OfAWallJoinsThatOfItsNeighbourAtASimilarRange) {
 
 TEST(ContactLine, OfAWallDoesNotJoinAnotherAtAnotherRangeNorAPost) {
     ContactScan scan = open_scan();
-    block(scan, 0.0, 0.05, 2.0, BeamCause::Wall);
-    block(scan, 0.05, 0.1, 3.0, BeamCause::Wall);
+    block_at(scan, 0.0, 0.05, 2.0, BeamCause::Wall);
+    block_at(scan, 0.05, 0.1, 3.0, BeamCause::Wall);
     EXPECT_NEAR(line_of(scan, 20).right_m.x(), 2.0, 1e-9);
-    block(scan, 0.05, 0.1, 2.2, BeamCause::Votes);
+    block_at(scan, 0.05, 0.1, 2.2, BeamCause::Votes);
     EXPECT_NEAR(line_of(scan, 20).right_m.x(), 2.0, 1e-9);
     EXPECT_NEAR(line_of(scan, 21).left_m.x(), 2.2, 1e-9);
 }

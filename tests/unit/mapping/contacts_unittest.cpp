@@ -12,7 +12,7 @@ namespace flownav::mapping {
 namespace {
 
 using Eigen::Vector2d;
-using testing::block;
+using testing::block_at;
 using testing::confirm;
 using testing::free_scan;
 using testing::occupancy;
@@ -48,7 +48,7 @@ struct Maps {
 /// A post 10 cm wide in tangent, 2.05 m ahead: right of the heading when `side` is 1.
 ContactScan post(double side) {
     ContactScan scan = open_scan();
-    block(scan, side * 0.25 - 0.05, side * 0.25 + 0.05, 2.05);
+    block_at(scan, side * 0.25 - 0.05, side * 0.25 + 0.05, 2.05);
     return scan;
 }
 
@@ -58,9 +58,27 @@ TEST(ContactsInMaps, APostToTheRightIsOccupiedToTheRightAfterTwoScans) {
         EXPECT_GT(maps.occupied(2.05, -0.55 * side), 0.7);
         EXPECT_GT(maps.occupied(2.05, -0.45 * side), 0.7);
         EXPECT_NEAR(maps.occupied(2.05, 0.55 * side), unknown, tolerance);
-        EXPECT_NEAR(maps.occupied(2.35, -0.55 * side), unknown, tolerance) << "the near end counts";
-        EXPECT_LE(occupied_cells(maps.global.grid()), 3);
+        EXPECT_NEAR(maps.occupied(2.35, -0.55 * side), unknown, tolerance) << "it is not so deep";
+        EXPECT_LE(occupied_cells(maps.global.grid()), 7);
     }
+}
+
+TEST(ContactsInMaps, AThingIsTakenToBeTenCentimetresDeep) {
+    for (const double side : {1.0, -1.0}) {
+        const Maps maps(set_of(post(side)));
+        EXPECT_GT(maps.occupied(2.125, -0.25 * 2.125 * side), 0.6);
+        EXPECT_NEAR(maps.occupied(2.225, -0.25 * 2.225 * side), unknown, tolerance);
+    }
+}
+
+TEST(ContactsInMaps, AContactThatScansSeeFartherAwayFadesWhereOneSawItNearer) {
+    ContactScan nearer = open_scan();
+    block_at(nearer, 0.2, 0.3, 1.875);
+    Maps maps(set_of(nearer), 1);
+    EXPECT_GT(maps.occupied(1.875, -0.25 * 1.875), 0.7);
+    for (int i = 0; i < 10; ++i) maps.insert(set_of(post(1.0)));
+    EXPECT_LE(maps.occupied(1.875, -0.25 * 1.875), unknown + tolerance);
+    EXPECT_GT(maps.occupied(2.05, -0.25 * 2.05), 0.7);
 }
 
 TEST(ContactsInMaps, OneSightIsEnoughForTheGuardEvenWhereFloorWasSeenBefore) {
@@ -73,7 +91,7 @@ TEST(ContactsInMaps, OneSightIsEnoughForTheGuardEvenWhereFloorWasSeenBefore) {
 
 TEST(ContactsInMaps, ScansThatSeeNothingMakeAnObstacleUnknownAndNotFree) {
     ContactScan seen = open_scan();
-    block(seen, 0.2, 0.3, 1.55);
+    block_at(seen, 0.2, 0.3, 1.55);
     Maps maps(set_of(seen), 1);
     const auto here = [&] { return maps.occupied(1.55, -0.25 * 1.55); };
     const double before = here();
@@ -86,7 +104,7 @@ TEST(ContactsInMaps, ScansThatSeeNothingMakeAnObstacleUnknownAndNotFree) {
 TEST(ContactsInMaps, AScanThatWouldNotSeeAnObstacleDoesNotDoubtIt) {
     for (const double near_m : {0.75, 2.25}) {
         ContactScan seen = open_scan();
-        block(seen, 0.2, 0.3, near_m);
+        block_at(seen, 0.2, 0.3, near_m);
         Maps maps(set_of(seen), 1);
         const double before = maps.occupied(near_m, -0.25 * near_m);
         maps.insert(set_of(open_scan()));
@@ -112,7 +130,7 @@ TEST(ContactsInMaps, AWallIsClosedFromItsFirstStripToItsLast) {
     ContactScan scan = open_scan();
     const auto forward_m = [](double tangent) { return 0.5 / (tangent - 0.5); };
     for (double tangent = 0.725; tangent < 0.95; tangent += 0.05)
-        block(scan, tangent - 0.01, tangent + 0.01, forward_m(tangent), BeamCause::Wall);
+        block_at(scan, tangent - 0.01, tangent + 0.01, forward_m(tangent), BeamCause::Wall);
     const Maps maps(set_of(scan));
     for (double tangent = 0.725; tangent < 0.925; tangent += 0.005) {
         const double x = forward_m(tangent);
@@ -138,7 +156,7 @@ TEST(ContactsInMaps, FloorIsFreeUpToTheEndOfItsStripAndNoFarther) {
 
 TEST(ContactsInMaps, FloorEndsBeforeAPostAndInTheStripsBesideIt) {
     ContactScan scan = free_scan(3.0);
-    block(scan, 0.0, 0.05, 1.55);
+    block_at(scan, 0.0, 0.05, 1.55);
     const Maps maps(set_of(scan), 4);
     for (const double tangent : {-0.02, 0.02, 0.07}) {
         EXPECT_LT(maps.occupied(1.25, -1.25 * tangent), 0.35) << tangent;

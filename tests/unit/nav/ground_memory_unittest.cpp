@@ -192,6 +192,19 @@ TEST(GroundMemory, WhatAScanConfirmsStaysConfirmedAsLongAsFreeGround) {
     EXPECT_TRUE(memory.is_confirmed({1.0, -0.8}, 100.0)) << "it was driven over";
 }
 
+TEST(GroundMemory, AScanThatSeesTheFloorEndEarlierTakesAConfirmationBack) {
+    GroundMemory memory{GroundMemoryParams{}};
+    const auto is_confirmed_after = [&](double free_m) {
+        memory.note(testing::free_scan(free_m), 1.0, here);
+        return memory.is_confirmed({1.2, 0.05}, 1.0);
+    };
+    EXPECT_TRUE(is_confirmed_after(1.5));
+    EXPECT_FALSE(is_confirmed_after(1.0));
+    for (int i = 0; i < 9; ++i) EXPECT_TRUE(is_confirmed_after(1.5));
+    EXPECT_TRUE(is_confirmed_after(1.0)) << "one of many may miss the floor";
+    EXPECT_FALSE(is_confirmed_after(1.0));
+}
+
 TEST(GroundMemory, AnUnconfirmedCellBetweenTwoFreeOnesIsPassedAndOneBesideThemIsNot) {
     GroundMemory memory{GroundMemoryParams{}};
     for (int i = 0; i < 3; ++i) memory.note(testing::free_scan(0.7), i, here);

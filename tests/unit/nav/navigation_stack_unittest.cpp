@@ -12,6 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 using testing::block;
+using testing::block_at;
 
 class StandingNavigator : public Navigator {
   public:
@@ -41,7 +42,7 @@ double p_free(const mrpt::maps::COccupancyGridMap2D& map, double x_m, double y_m
 
 TEST(NavigationStack, AScanThatComesBetweenTwoCyclesReachesBothMaps) {
     ContactScan scan = testing::open_scan();
-    block(scan, 0.2, 0.3, 2.05);
+    block_at(scan, 0.2, 0.3, 2.05);
     NavigationStack navigation = stack();
     for (int i = 0; i < 2; ++i) navigation.update(update_with(scan));
     EXPECT_LT(p_free(navigation.local_map(), 2.05, -0.55), 0.3);

@@ -14,9 +14,6 @@ namespace flownav::nav {
 
 struct ContactRule;
 
-/// Tangent of half the cone around the heading in which the flow is smallest and obstacles are found late.
-constexpr double cone_tangent = 0.12;
-
 /// Occupied cell near the robot.
 struct NearObstacle {
     Eigen::Vector2d at_m = Eigen::Vector2d::Zero();  ///< robot frame
@@ -36,8 +33,9 @@ struct Surroundings {
 struct Forecast {
     bool touches = false;
     bool unseen = false;
-    bool unscanned = false;  ///< ... and no contact scan looked at the unseen ground
-    bool unconfirmed = false;
+    bool unscanned = false;    ///< ... and no contact scan looked at the unseen ground
+    bool unconfirmed = false;  ///< ground on the way was in view and is no floor
+    bool unproven = false;     ///< ground on the way is not known to be floor
     Eigen::Vector2d where_m = Eigen::Vector2d::Zero();  ///< the obstacle, robot frame
 };
 
@@ -54,9 +52,6 @@ class CollisionChecker {
                       const std::deque<TimedCommand>& sent, const MotionCommand& candidate,
                       double hold_s) const;
 
-    /// True when the floor in the cone is confirmed over the way to standing from a speed.
-    bool is_way_confirmed(const GroundMemory& ground, const Surroundings& now, double v_mps) const;
-
     /// Upper bound of the speed of the fastest point of the outline.
     double outline_mps(const MotionCommand& command) const;
 
@@ -66,7 +61,7 @@ class CollisionChecker {
     bool touches(const Surroundings& now, const Pose2& T_robot_then, const ContactRule& rule,
                  Eigen::Vector2d& where_m) const;
     template <class Holds>
-    bool holds_under_outline(const Surroundings& now, const std::vector<Pose2>& path,
+    bool holds_under_outline(const Surroundings& now, const std::vector<Pose2>& path, double most_m,
                              const Holds& holds) const;
 
     RobotModel robot_;

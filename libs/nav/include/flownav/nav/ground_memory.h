@@ -34,8 +34,9 @@ class GroundMemory {
     int note(const mrpt::maps::COccupancyGridMap2D& local_map, double time_s, const Pose2& T_map_robot);
 
     /// Takes a contact scan of the record of `time_s`, and where the robot was then. Ground that it confirms
-    /// is confirmed for free_s. Unknown ground in its view that it does not confirm becomes Unconfirmed when
-    /// scans like those that looked at it would have missed floor with less than unconfirmed_chance.
+    /// is confirmed for free_s, unless as many scans look there and do not confirm it. Unknown ground in its
+    /// view that it does not confirm becomes Unconfirmed when scans like those that looked at it would have
+    /// missed floor with less than unconfirmed_chance.
     void note(const ContactScan& scan, double time_s, const Pose2& T_map_robot);
 
     /// Marks the ground under the robot as driven.
@@ -60,13 +61,15 @@ class GroundMemory {
         Ground ground = Ground::Unknown;
         double until_s = 0.0;  ///< time at which the cell is forgotten
         double confirmed_until_s = -std::numeric_limits<double>::infinity();
-        double doubt = 0.0;  ///< -log of the chance that so many scans miss floor here
-        int scans = 0;       ///< that looked here and did not confirm floor; since the map showed an obstacle
+        int confirmations = 0;  ///< scans that confirmed floor here, less those that did not
+        double doubt = 0.0;     ///< -log of the chance that so many scans miss floor here
+        int scans = 0;  ///< that looked here and did not confirm floor; since the map showed an obstacle
     };
 
     Ground at(const Eigen::Vector2i& cell, double time_s) const;
     bool note_cell(const Eigen::Vector2i& cell, bool is_free, double time_s);
     void note_confirmed(const Eigen::Vector2i& cell, double time_s);
+    void doubt_confirmed(const Eigen::Vector2i& cell);
     void look_through(const Eigen::Vector2i& cell, double time_s);
     void note_unconfirmed(const Eigen::Vector2i& cell, double doubt, double time_s);
     void note_unknown(const Eigen::Vector2i& cell, const Eigen::Vector2d& at_robot_m, double time_s);

@@ -79,7 +79,7 @@ class Guard {
     Fault objection(const Surroundings& now, const MotionCommand& candidate) const;
     bool has_turned_since_scan(const Surroundings& now, const MotionCommand& candidate) const;
     Fault objection_to_unseen(const Forecast& ahead, double fast_mps) const;
-    Fault objection_to_speed(const Surroundings& now, const MotionCommand& candidate) const;
+    Fault objection_to_speed(const Forecast& ahead, const MotionCommand& candidate) const;
     SafetyDecision allow(const Surroundings& now, const MotionCommand& wanted) const;
     SafetyDecision sent(const Surroundings& now, const SafetyDecision& safety);
     void log(double time_s, const SafetyDecision& safety);

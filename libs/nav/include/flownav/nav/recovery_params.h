@@ -15,8 +15,8 @@ enum class ReplanPolicy {
 struct RecoveryParams {
     ReplanPolicy replan = ReplanPolicy::Always;
     mapping::OccupancyLimits limits;  ///< of the maps
-    double goal_radius_m = 0.3;  ///< arrived when this near
-    double stuck_s = 0.8;        ///< a recovery begins when the navigator sees no way for so long
+    double goal_radius_m = 0.3;       ///< arrived when this near
+    double stuck_s = 0.8;             ///< a recovery begins when the navigator sees no way for so long
     double held_s = 1.5;         ///< a recovery begins when a robot that wants to move stands for so long
     double no_progress_s = 6.0;  ///< a recovery begins when the robot comes no nearer for so long
     double back_off_m = 0.35;    ///< length of backing off; ends earlier where the ground is not known

@@ -45,6 +45,12 @@ inline void block(ContactScan& scan, double from, double to, double near_m,
     });
 }
 
+/// The same with the best estimate of the distance; the near end lies nearer by a tenth.
+inline void block_at(ContactScan& scan, double from, double to, double contact_m,
+                     BeamCause cause = BeamCause::Votes) {
+    block(scan, from, to, contact_m / 1.1, cause);
+}
+
 /// A scan whose floor is confirmed up to `free_m` everywhere.
 inline ContactScan free_scan(double free_m) {
     ContactScan scan = open_scan();
