@@ -16,10 +16,13 @@ constexpr double seen_contact = 0.2;
 constexpr double depth_m = 0.1;  // least depth of things, whose backs nobody sees
 constexpr double behind_contact = 0.4;
 constexpr double says_nothing = 0.5;
-constexpr double seen_nothing = 0.55;  // by a scan that would have seen most things there, and saw none
-constexpr double seen_farther = 0.6;   // by a scan that saw the contact farther away
+constexpr double seen_nothing = 0.55;    // by a scan that would have seen most things there, and saw none
+constexpr double seen_no_floor = 0.43;   // by a scan that sees floor elsewhere
+constexpr double floor_sure_to_m = 1.2;  // ahead of the camera
+constexpr double floor_share_min = 0.5;  // of the strips: the floor has texture
+constexpr double seen_farther = 0.6;     // by a scan that saw the contact farther away
 constexpr double contact_error = 0.03;
-constexpr double seen_floor = 0.57;    // weaker: a block of floor before a thin leg says little about the leg
+constexpr double seen_floor = 0.57;  // weaker: a block of floor before a thin leg says little about the leg
 
 /// A point whose range is uncertain by more than half a cell says less about that one cell.
 double p_free(const ObstaclePoint& point, double cell_m) {
@@ -111,12 +114,14 @@ void add_contacts(const GridFrame& frame, const ContactScan& scan, const Pose2& 
         });
     });
     doubt_before_contacts(frame, scan, T_frame_robot, evidence);
+    const bool sees_floor = floor_share(scan) > floor_share_min;
     const auto add_sight = [&](const Eigen::Vector2i& cell, FloorSight sight, double forward_m) {
         if (sight == FloorSight::Confirmed) {
             evidence.push_back({cell, seen_floor, false});
-        } else if (is_looked_through(forward_m)) {
-            evidence.push_back({cell, seen_nothing, true});
+            return;
         }
+        if (forward_m < floor_sure_to_m && sees_floor) evidence.push_back({cell, seen_no_floor, true});
+        if (is_looked_through(forward_m)) evidence.push_back({cell, seen_nothing, true});
     };
     for_each_floor_cell(scan, T_frame_robot, frame, looked_through_to_m, add_sight);
 }

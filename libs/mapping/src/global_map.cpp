@@ -69,10 +69,13 @@ void GlobalMap::insert(const ObstacleSet& set) {
     };
     for (const Vector2d& p_m : rims_.removed_m()) set_cell(p_m, 0.5);
     for (const Evidence& e : evidence_) {
-        if (e.at_most_unknown && !(grid_.getCell(e.cell.x(), e.cell.y()) < 0.5F)) continue;
+        const auto is_beyond_unknown = [&] {
+            const float p_free = grid_.getCell(e.cell.x(), e.cell.y());
+            return e.p_free > 0.5 ? p_free >= 0.5F : p_free <= 0.5F;
+        };
+        if (e.toward_unknown && is_beyond_unknown()) continue;
         grid_.updateCell(e.cell.x(), e.cell.y(), static_cast<float>(e.p_free));
-        if (e.at_most_unknown && grid_.getCell(e.cell.x(), e.cell.y()) > 0.5F)
-            grid_.setCell(e.cell.x(), e.cell.y(), 0.5F);
+        if (e.toward_unknown && is_beyond_unknown()) grid_.setCell(e.cell.x(), e.cell.y(), 0.5F);
     }
     for (const Rim& rim : rims_.rims()) set_cell(rims_.frame().middle_of(rim.cell), p_free_of_rim);
 }

@@ -71,8 +71,7 @@ void LocalMap::insert(const ObstacleSet& set) {
     remembered.entries.clear();
     for (const Evidence& e : evidence_) {
         if ((e.cell - middle).cwiseAbs().maxCoeff() >= cells_.side() / 2) continue;
-        const int limit = e.at_most_unknown ? 0 : log_odds_max;
-        remembered.entries.push_back({e.cell, add({e.cell, thousandths(e.p_free)}, limit)});
+        remembered.entries.push_back({e.cell, add(e)});
     }
     note_movers(set);
     redraw(set.T_map_robot);
@@ -135,10 +134,16 @@ int LocalMap::log_odds(const Vector2i& cell) const {
     return sum ? sum->log_odds : 0;
 }
 
-int LocalMap::add(const Entry& entry, int limit) {
-    Sum& sum = cells_.claim(entry.cell, {0, sets_});
+/// Returns what it added to the log odds of the cell.
+int LocalMap::add(const Evidence& e) {
+    Sum& sum = cells_.claim(e.cell, {0, sets_});
     const int before = sum.log_odds;
-    sum.log_odds = std::min(before + entry.log_odds, std::max(before, limit));
+    const int wanted = before + thousandths(e.p_free);
+    if (e.p_free > 0.5) {
+        sum.log_odds = std::min(wanted, std::max(before, e.toward_unknown ? 0 : log_odds_max));
+    } else {
+        sum.log_odds = e.toward_unknown ? std::max(wanted, std::min(before, 0)) : wanted;
+    }
     return sum.log_odds - before;
 }
 

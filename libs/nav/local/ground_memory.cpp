@@ -15,6 +15,7 @@ using Eigen::Vector2i;
 
 constexpr double deep_inside_m = 0.05;    // an obstacle this far inside the footprint is none
 constexpr double floor_share_max = 0.97;  // no scan is sure to see the floor
+constexpr double sure_within_m = 0.8;     // ahead of the camera a scan misses floor less often
 constexpr int scans_through_min = 3;      // that saw nothing where an obstacle is remembered
 constexpr int confirmations_max = 2;      // of one cell that count
 constexpr int scans_min = 2;              // that looked at ground without texture
@@ -39,6 +40,7 @@ Ground GroundMemory::at(const Vector2i& cell, double time_s) const {
 
 int GroundMemory::note(const mrpt::maps::COccupancyGridMap2D& local_map, double time_s,
                        const Pose2& T_map_robot) {
+    map_s_ = time_s;
     const Vector2i middle = cells_.frame().cell_of({T_map_robot.x_m, T_map_robot.y_m});
     const Pose2 T_robot_map = inverse(T_map_robot);
     const Vector2d origin = transform(T_robot_map, {0.0, 0.0});
@@ -63,6 +65,7 @@ int GroundMemory::note(const mrpt::maps::COccupancyGridMap2D& local_map, double 
 }
 
 void GroundMemory::note(const ContactScan& scan, double time_s, const Pose2& T_map_robot) {
+    view_begin_m_ = scan.camera_m.x() + scan.view_near_m;
     const double doubt = doubt_of(scan);
     const Vector2i middle = cells_.frame().cell_of({T_map_robot.x_m, T_map_robot.y_m});
     const auto note_sight = [&](const Vector2i& cell, FloorSight sight, double forward_m) {
@@ -73,7 +76,8 @@ void GroundMemory::note(const ContactScan& scan, double time_s, const Pose2& T_m
             return;
         }
         doubt_confirmed(cell);
-        if (forward_m < params_.unconfirmed_within_m) note_unconfirmed(cell, doubt, time_s);
+        if (forward_m < params_.unconfirmed_within_m)
+            note_unconfirmed(cell, forward_m < sure_within_m ? 2.0 * doubt : doubt, time_s);
         if (is_looked_through(forward_m)) look_through(cell, time_s);
     };
     const double to_m = std::max(params_.unconfirmed_within_m, looked_through_to_m);
@@ -104,13 +108,15 @@ void GroundMemory::look_through(const Vector2i& cell, double time_s) {
 
 void GroundMemory::note_unconfirmed(const Vector2i& cell, double doubt, double time_s) {
     const Ground before = at(cell, time_s);
-    if (before != Ground::Unknown && before != Ground::Unconfirmed) return;
+    if (before == Ground::Driven || before == Ground::Occupied) return;
     Known& known = cells_.claim(cell);
     if (time_s <= known.confirmed_until_s) return;
+    if (before == Ground::Free && known.until_s >= map_s_ + params_.free_s) return;  // the map shows it free
     known.doubt = time_s <= known.until_s ? known.doubt + doubt : doubt;
     known.scans = time_s <= known.until_s ? known.scans + 1 : 1;
-    known.ground =
-        known.doubt > -std::log(params_.unconfirmed_chance) ? Ground::Unconfirmed : Ground::Unknown;
+    const bool is_doubted = known.doubt > -std::log(params_.unconfirmed_chance);
+    if (before == Ground::Free && !is_doubted) return;
+    known.ground = is_doubted ? Ground::Unconfirmed : Ground::Unknown;
     known.until_s = time_s + params_.unconfirmed_s;
 }
 
@@ -128,12 +134,13 @@ bool GroundMemory::note_cell(const Vector2i& cell, bool is_free, double time_s) 
     return is_free && (before == Ground::Unknown || before == Ground::Unconfirmed);
 }
 
-/// Shortens the memory of an obstacle in view of the camera that the map no longer shows; obstacles beside
-/// and behind the robot keep theirs.
+/// Shortens the memory of an obstacle in view of the camera that the map no longer shows; obstacles beside,
+/// behind and right before the robot keep theirs.
 void GroundMemory::note_unknown(const Vector2i& cell, const Vector2d& at_robot_m, double time_s) {
     Known* const known = cells_.find(cell);
     if (!known || known->ground != Ground::Occupied) return;
-    const bool in_view = std::abs(std::atan2(at_robot_m.y(), at_robot_m.x())) < params_.view_half_rad;
+    const bool in_view = at_robot_m.x() > view_begin_m_ &&
+                         std::abs(std::atan2(at_robot_m.y(), at_robot_m.x())) < params_.view_half_rad;
     if (in_view) known->until_s = std::min(known->until_s, time_s + params_.in_view_s);
 }
 

@@ -101,6 +101,14 @@ TEST(ContactsInMaps, ScansThatSeeNothingMakeAnObstacleUnknownAndNotFree) {
     EXPECT_NEAR(here(), unknown, tolerance);
 }
 
+TEST(ContactsInMaps, WhereScansSeeTheFloorEndNearbyFreeGroundBecomesUnknownAndNotOccupied) {
+    Maps maps(set_of(free_scan(3.0)), 3);
+    for (int i = 0; i < 10; ++i) maps.insert(set_of(free_scan(0.8)));
+    EXPECT_NEAR(maps.occupied(1.05, 0.05), unknown, tolerance);
+    EXPECT_LT(maps.occupied(1.65, 0.05), 0.4) << "so far away a scan may miss the floor";
+    EXPECT_LT(occupancy(maps.local.grid(), 0.65, 0.05), 0.4);
+}
+
 TEST(ContactsInMaps, AScanThatWouldNotSeeAnObstacleDoesNotDoubtIt) {
     for (const double near_m : {0.75, 2.25}) {
         ContactScan seen = open_scan();

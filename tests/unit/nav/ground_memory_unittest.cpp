@@ -175,6 +175,31 @@ TEST(GroundMemory, UnconfirmedGroundEndsWithTimeWithFloorAndUnderTheRobot) {
     EXPECT_EQ(memory.at(ahead_m, 143.0), Ground::Free);
 }
 
+TEST(GroundMemory, WhatAnEarlierMapShowedFreeBecomesUnconfirmedOnceTheMapDoubtsIt) {
+    const Vector2d ahead_m(0.95, 0.05);
+    GroundMemory memory{GroundMemoryParams{}};
+    memory.note(map_with(ahead_m, 0.9F), 0.0, here);
+    for (int i = 1; i < 5; ++i) {
+        memory.note(map_with(ahead_m, 0.5F), i, here);
+        memory.note(testing::free_scan(0.7), i, here);
+    }
+    EXPECT_EQ(memory.at(ahead_m, 5.0), Ground::Unconfirmed);
+}
+
+TEST(GroundMemory, AnObstacleTooNearForTheCameraKeepsItsMemory) {
+    const auto after_12_s = [](const Vector2d& at_m) {
+        GroundMemory memory{GroundMemoryParams{}};
+        ContactScan scan = testing::open_scan();
+        scan.view_near_m = 0.7;
+        memory.note(map_with(at_m, 0.1F), 0.0, here);
+        memory.note(scan, 0.5, here);
+        memory.note(map_with(at_m, 0.5F), 1.0, here);
+        return memory.at(at_m, 12.5);
+    };
+    EXPECT_EQ(after_12_s({0.55, 0.05}), Ground::Occupied);
+    EXPECT_EQ(after_12_s({2.25, 0.05}), Ground::Unknown);
+}
+
 TEST(GroundMemory, ADistanceOfZeroSwitchesUnconfirmedGroundOff) {
     GroundMemoryParams params;
     params.unconfirmed_within_m = 0.0;

@@ -51,7 +51,7 @@ class LocalMap {
     void note_movers(const ObstacleSet& set);
     void draw_rims(const Eigen::Isometry2d& T_robot_map);
     /// Adds the evidence of an entry and returns how much of it fitted below the limit.
-    int add(const Entry& entry, int limit);
+    int add(const Evidence& e);
     void forget(const Remembered& old);
 
     MapParams params_;

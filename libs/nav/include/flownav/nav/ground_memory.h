@@ -24,8 +24,8 @@ enum class Ground : unsigned char {
 
 /// Memory of the ground around the robot, map frame: cells of the last local maps, what contact scans saw of
 /// the floor, and ground that the robot drove over. The newest evidence of a cell holds; unknown cells of a
-/// map change nothing, and scans change no free cells. An obstacle that the map no longer shows is forgotten
-/// after some scans saw nothing there.
+/// map change nothing, and scans change no cells that the last map shows free. An obstacle that the map no
+/// longer shows is forgotten after some scans saw nothing there.
 class GroundMemory {
   public:
     explicit GroundMemory(const GroundMemoryParams& params);
@@ -75,7 +75,9 @@ class GroundMemory {
     void note_unknown(const Eigen::Vector2i& cell, const Eigen::Vector2d& at_robot_m, double time_s);
 
     GroundMemoryParams params_;
-    RollingGrid<Known> cells_;  ///< map frame
+    RollingGrid<Known> cells_;   ///< map frame
+    double map_s_ = 0.0;         ///< time of the last local map
+    double view_begin_m_ = 0.0;  ///< ahead of the robot: nearer, its camera sees no floor
 };
 
 }  // namespace flownav::nav
