@@ -55,7 +55,7 @@ struct CollisionCheckerParams {
     double margin_s = 0.1;         ///< distance added per m/s of the outline beyond crawl_mps
     double crawl_mps = 0.1;        ///< speed of the fastest point of the outline of a robot that crawls
     double unseen_max_m = 0.1;     ///< length of the outline that may pass over unseen ground
-    double unconfirmed_mps = 0.3;  ///< fastest speed while the floor straight ahead is not confirmed
+    double unconfirmed_mps = 0.3;  ///< fastest speed while the floor on the way is not confirmed
 };
 
 struct GuardParams {
