@@ -99,8 +99,8 @@ std::vector<Key> margin_keys() {
         guard<double>("unseen_max_m", "m", "length of the outline that may pass over unseen ground", {0, 5},
                       AT(guard.collision_checker.unseen_max_m)),
         guard<double>("unconfirmed_mps", "m/s",
-                      "fastest speed while no contact scan has confirmed the floor on the way",
-                      {0.01, 10}, AT(guard.collision_checker.unconfirmed_mps)),
+                      "fastest speed while no contact scan has confirmed the floor on the way", {0.01, 10},
+                      AT(guard.collision_checker.unconfirmed_mps)),
         guard<double>("command_hold_s", "s", "shortest time that a command is assumed to be in force",
                       {0.01, 1}, AT(guard.collision_checker.period_s)),
     };
