@@ -134,7 +134,6 @@ int LocalMap::log_odds(const Vector2i& cell) const {
     return sum ? sum->log_odds : 0;
 }
 
-/// Returns what it added to the log odds of the cell.
 int LocalMap::add(const Evidence& e) {
     Sum& sum = cells_.claim(e.cell, {0, sets_});
     const int before = sum.log_odds;

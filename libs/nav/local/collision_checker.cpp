@@ -141,9 +141,11 @@ Forecast CollisionChecker::forecast(const GroundMemory& ground, const Surroundin
     const std::vector<Pose2> farther_on = prolonged(path, candidate, spare_s + margin_s);
     forecast.unconfirmed = holds_under_outline(
         now, farther_on, 0.0, [&](const Vector2d& p_m) { return ground.is_unconfirmed(p_m, now.time_s); });
-    forecast.unproven = holds_under_outline(now, farther_on, unproven_max_m, [&](const Vector2d& p_m) {
-        return !ground.is_confirmed(p_m, now.time_s);
-    });
+    const bool may_be_too_fast = !forecast.unseen && candidate.v_mps > params_.unconfirmed_mps;
+    forecast.unproven =
+        may_be_too_fast && holds_under_outline(now, farther_on, unproven_max_m, [&](const Vector2d& p_m) {
+            return !ground.is_confirmed(p_m, now.time_s);
+        });
     return forecast;
 }
 

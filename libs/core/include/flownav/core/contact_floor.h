@@ -77,9 +77,9 @@ struct ContactLine {
     Eigen::Vector2d right_m = Eigen::Vector2d::Zero();
 };
 
-/// The line of strip `i`, which must be an obstacle, at its best estimate, a drop at the near end of its
-/// interval, and as wide as the strip. Where a neighbour goes on at a similar range with the same wall or drop, the line ends half-way to
-/// the neighbour's middle, so that the lines join.
+/// The line of strip `i`, which must be an obstacle, as wide as the strip: at its best estimate, of a drop at
+/// the near end of its interval. Where a neighbour goes on at a similar range with the same wall or drop, the
+/// line ends half-way to the neighbour's middle, so that the lines join.
 ContactLine line_of(const ContactScan& scan, int i);
 
 }  // namespace flownav

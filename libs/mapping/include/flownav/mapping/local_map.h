@@ -50,7 +50,7 @@ class LocalMap {
     int log_odds(const Eigen::Vector2i& cell) const;
     void note_movers(const ObstacleSet& set);
     void draw_rims(const Eigen::Isometry2d& T_robot_map);
-    /// Adds the evidence of an entry and returns how much of it fitted below the limit.
+    /// Adds evidence to its cell, as far as the limits let it, and returns how much was added.
     int add(const Evidence& e);
     void forget(const Remembered& old);
 

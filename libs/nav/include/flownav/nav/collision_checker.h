@@ -35,7 +35,8 @@ struct Forecast {
     bool unseen = false;
     bool unscanned = false;    ///< ... and no contact scan looked at the unseen ground
     bool unconfirmed = false;  ///< ground on the way was in view and is no floor
-    bool unproven = false;     ///< ground on the way is not known to be floor
+    /// Ground on the way was seen, but is not known to be floor; asked of fast commands only.
+    bool unproven = false;
     Eigen::Vector2d where_m = Eigen::Vector2d::Zero();  ///< the obstacle, robot frame
 };
 
