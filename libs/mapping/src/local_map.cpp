@@ -71,7 +71,7 @@ void LocalMap::insert(const ObstacleSet& set) {
     remembered.entries.clear();
     for (const Evidence& e : evidence_) {
         if ((e.cell - middle).cwiseAbs().maxCoeff() >= cells_.side() / 2) continue;
-        remembered.entries.push_back({e.cell, add(e)});
+        remembered.entries.push_back({e.cell, add(e), e.toward_unknown});
     }
     note_movers(set);
     redraw(set.T_map_robot);
@@ -103,9 +103,9 @@ void LocalMap::redraw(const Pose2& T_map_robot) {
     const Eigen::Isometry2d T_robot_map = T.inverse();
     const GridArea of_robot = area_of(grid_);
     cells_.for_each([&](const Vector2i& cell, const Sum& sum) {
-        if (sum.log_odds >= 0) return;
+        if (sum.log_odds() >= 0) return;
         const Vector2i at = of_robot.cell_of(T_robot_map * frame.middle_of(cell));
-        grid_.setCell(at.x(), at.y(), std::min(grid_.getCell(at.x(), at.y()), probability(sum.log_odds)));
+        grid_.setCell(at.x(), at.y(), std::min(grid_.getCell(at.x(), at.y()), probability(sum.log_odds())));
     });
     draw_rims(T_robot_map);
     for (const Vector2d& mover_m : movers_m_) {
@@ -131,26 +131,33 @@ void LocalMap::draw_rims(const Eigen::Isometry2d& T_robot_map) {
 
 int LocalMap::log_odds(const Vector2i& cell) const {
     const Sum* const sum = cells_.find(cell);
-    return sum ? sum->log_odds : 0;
+    return sum ? sum->log_odds() : 0;
 }
 
 int LocalMap::add(const Evidence& e) {
-    Sum& sum = cells_.claim(e.cell, {0, sets_});
-    const int before = sum.log_odds;
-    const int wanted = before + thousandths(e.p_free);
+    Sum& sum = cells_.claim(e.cell, {0, 0, sets_});
+    const int before = sum.log_odds();
+    int after = before + thousandths(e.p_free);
     if (e.p_free > 0.5) {
-        sum.log_odds = std::min(wanted, std::max(before, e.toward_unknown ? 0 : log_odds_max));
-    } else {
-        sum.log_odds = e.toward_unknown ? std::max(wanted, std::min(before, 0)) : wanted;
+        after = std::min(after, std::max(before, e.toward_unknown ? 0 : log_odds_max));
+    } else if (e.toward_unknown) {
+        after = std::max(after, std::min(before, 0));
     }
-    return sum.log_odds - before;
+    add_to(sum, e.toward_unknown, after - before);
+    return after - before;
+}
+
+/// Doubts may outlive what they doubted: they never tell anything themselves.
+void LocalMap::add_to(Sum& sum, bool is_doubt, int log_odds) {
+    (is_doubt ? sum.doubt : sum.told) += log_odds;
+    sum.doubt = std::clamp(sum.doubt, -std::max(sum.told, 0), -std::min(sum.told, 0));
 }
 
 void LocalMap::forget(const Remembered& old) {
     for (const Entry& entry : old.entries) {
         Sum* const sum = cells_.find(entry.cell);
         // A cell that lost its place and claimed it again later does not hold this evidence.
-        if (sum && sum->since <= old.number) sum->log_odds -= entry.log_odds;
+        if (sum && sum->since <= old.number) add_to(*sum, entry.is_doubt, -entry.log_odds);
     }
 }
 

@@ -109,6 +109,19 @@ TEST(ContactsInMaps, WhereScansSeeTheFloorEndNearbyFreeGroundBecomesUnknownAndNo
     EXPECT_LT(occupancy(maps.local.grid(), 0.65, 0.05), 0.4);
 }
 
+TEST(ContactsInMaps, DoubtsOutliveWhatTheyDoubtedAndMakeNothingOfIt) {
+    LocalMap map{MapParams{}};
+    const auto here = [&](double x_m, double y_m) { return occupancy(map.grid(), x_m, y_m); };
+    ContactScan seen = open_scan();
+    block_at(seen, 0.2, 0.3, 1.55);
+    for (int i = 0; i < 3; ++i) map.insert(set_of(free_scan(3.0), {}, 0.1 * i));
+    for (int i = 0; i < 3; ++i) map.insert(set_of(seen, {}, 0.3 + 0.1 * i));
+    for (int i = 0; i < 30; ++i) map.insert(set_of(free_scan(0.8), {}, 1.0 + 0.1 * i));
+    map.insert(set_of(open_scan(), {}, 0.6 + MapParams().memory_s));
+    EXPECT_NEAR(here(1.05, 0.05), unknown, tolerance) << "floor that was doubted is no obstacle";
+    EXPECT_NEAR(here(1.55, -0.25 * 1.55), unknown, tolerance) << "an obstacle that was doubted is no floor";
+}
+
 TEST(ContactsInMaps, AScanThatWouldNotSeeAnObstacleDoesNotDoubtIt) {
     for (const double near_m : {0.75, 2.25}) {
         ContactScan seen = open_scan();

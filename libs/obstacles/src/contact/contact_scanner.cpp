@@ -125,7 +125,6 @@ void compare_pair(ContactMemory& memory) {
     const LevelImage& newer = memory.keys[0].image;
     compare_with_floor(memory.keys[1].image, newer, memory.work.pair.warp, memory.noise,
                        {0, strip_grid(newer).strips}, memory.comparison);
-    count_edges_above_floor(newer, memory.noise, memory.comparison);
     measure_preferences(memory.keys[1].image, newer, memory.work.pair.warp, memory.noise, memory.comparison);
     take_lesson(memory);
 }

@@ -14,8 +14,11 @@ constexpr float preference_against = 0.06F;  // vote of a pixel, times how much 
 constexpr float usual_misfits = 0.15F;       // share of a row above which its votes count less than half
 constexpr double contact_nearest_m = 0.6;
 constexpr double contact_farthest_m = 5.0;
+constexpr double highest_m =
+    2.0;  // over the floor: what is seen higher is no part of a thing that stands there
 constexpr double every_cell_m = 1.4;  // nearer: every second cell is a candidate
 constexpr double plateau_share = 0.93;
+constexpr double slope_share = 1.3;  // of the distance: votes for one thing decrease over so much
 constexpr int preferring_rows = 32;  // above a contact: as many tell whether they are floor
 constexpr int preferring_min = 80;   // pixels
 constexpr int voters_max = 128;      // of one strip; of more, every second or third votes, with more weight
@@ -23,8 +26,9 @@ constexpr int voters_max = 128;      // of one strip; of more, every second or t
 /// Rows in which many strips do not fit weigh little: there the comparison itself is poor.
 void weigh_rows(const StripGrid& grid, const StripRange& strips, const std::vector<FloorCell>& cells,
                 ContactVotes& out) {
-    out.row_weight.assign(static_cast<std::size_t>(grid.cells), 0.0F);
-    for (int cell = 0; cell < grid.cells; ++cell) {
+    out.row_weight.assign(static_cast<std::size_t>(grid.cells), 1.0F);
+    for (int cell = grid.top_row / cell_rows; cell < grid.cells; ++cell) {
+        out.row_weight[static_cast<std::size_t>(cell)] = 0.0F;
         out.shares.clear();
         for (int s = strips.first; s < strips.last; ++s) {
             const FloorCell& c = cells[grid.index(cell, s)];
@@ -81,6 +85,15 @@ struct Voters {
     std::size_t end = 0;
 };
 
+/// First candidate at which a thing seen in row `v` is not higher than the highest.
+std::size_t first_low_enough(const LevelCamera& camera, int v, const std::vector<float>& inverse) {
+    const double above_m = highest_m - camera.height_m;
+    if (above_m <= 0.0) return inverse.size();
+    const double inverse_min = -camera.below_horizon(v) / above_m;
+    return static_cast<std::size_t>(std::lower_bound(inverse.begin(), inverse.end(), inverse_min) -
+                                    inverse.begin());
+}
+
 /// Fills out.votes and out.steep_votes: a row for each cell of voters, a column for each candidate.
 void collect_votes(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
                    const FloorComparison& comparison, double noise, const Voters& voters, ContactVotes& out) {
@@ -88,12 +101,14 @@ void collect_votes(const LevelImage& reference, const LevelImage& newer, const P
     std::fill(out.votes.begin(), out.votes.end(), 0.0F);
     std::fill(out.steep_votes.begin(), out.steep_votes.end(), 0.0F);
     const std::size_t stride = 1 + (voters.end - voters.begin) / voters_max;
-    std::size_t first = 0;  // candidate at or below the voter
+    const int top = strip_grid(newer).top_row / cell_rows;
+    std::size_t below = 0;  // first candidate at or below the voter
     for (std::size_t i = voters.begin; i < voters.end; i += stride) {
         const Misfit pixel = misfit_at(comparison, newer, comparison.misfits[i]);
         const int own = pixel.v / cell_rows;
-        while (first < columns && out.candidates[first] < own) ++first;
-        if (first == columns) break;
+        while (below < columns && out.candidates[below] < own) ++below;
+        if (below == columns) break;
+        const std::size_t first = own > top ? below : first_low_enough(newer.camera, pixel.v, out.inverse);
         const float weight = static_cast<float>(stride) * out.row_weight[static_cast<std::size_t>(own)];
         std::vector<float>& to = pixel.steep ? out.steep_votes : out.votes;
         rows::functions().vote(rows_reference(reference), vote_of(pixel, warp, noise, weight),
@@ -206,11 +221,18 @@ Contact best_contact(const LevelImage& newer, const std::vector<float>& votes, i
     const StripGrid grid = strip_grid(newer);
     const auto score = [&](int cell) { return contact_score(grid, votes, cell, strip); };
     const int top = grid.top_row / cell_rows + 1;
+    // What stands a little farther away votes here as well.
+    const auto is_topped = [&](int cell, double forward_m) {
+        for (int c = cell - 1; c >= top && cell_floor_m(newer.camera, c) < slope_share * forward_m; --c)
+            if (score(c) > score(cell)) return true;
+        return false;
+    };
     Contact contact;
     int best = -1;
     for (int c = top; c < grid.cells; ++c) {
         const double forward_m = cell_floor_m(newer.camera, c);
         if (forward_m < range_min_m || forward_m > range_max_m || score(c) <= contact.score) continue;
+        if (is_topped(c, forward_m)) continue;
         contact.score = score(c);
         best = c;
     }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "bilinear.h"
 #include "flownav/math/order_statistic.h"
 #include "row_warp.h"
 
@@ -24,6 +25,9 @@ constexpr double quarter_nearer = 1.25;  // of inverse distance
 constexpr int noise_rows = 4;            // every fourth row measures the noise
 constexpr float dark_grey = 20.0F;       // darker pixels do not tell gain and fall-off
 constexpr double ratio_limit = 0.1;      // of brightness, from its median
+constexpr double far_m = 5.5;            // what is farther away is background
+constexpr double far_step_px = 0.7;      // between the places where background may have been,
+constexpr double far_steps_max = 60.0;   // at the most
 
 /// Columns begin to end - 1.
 struct Columns {
@@ -52,6 +56,7 @@ struct Pair {
 
     int first_row() const { return grid.top_row; }
     int last_row() const { return std::min(newer.height - 1, grid.cells * cell_rows); }
+    int last_row_above() const { return std::min(first_row(), last_row()); }
 };
 
 /// Grey levels of the reference at the places from which the floor came; NaN outside.
@@ -196,6 +201,72 @@ void count_row(const Pair& pair, int v, const Columns& columns, FloorComparison&
     });
 }
 
+/// Cost of a pixel that was at `from` in the reference; 0 where the camera did not look.
+double cost_at(const Pair& pair, const Misfit& pixel, const Eigen::Vector2d& from) {
+    const auto x = static_cast<float>(from.x());
+    const auto y = static_cast<float>(from.y());
+    if (!can_sample(pair.reference, x, y)) return 0.0;
+    const double e = pixel.grey - sample(pair.reference, x, y);
+    const double flow2 = (from - Eigen::Vector2d(pixel.u, pixel.v)).squaredNorm();
+    const double t2 = rows::position_error_px * rows::position_error_px +
+                      rows::position_error_per_flow * rows::position_error_per_flow * flow2;
+    const double cost = e * e / (2.0 * (pair.noise * pair.noise + t2 * pixel.gradient2));
+    return std::isnan(cost) ? 0.0 : std::min<double>(cost, rows::cost_max);
+}
+
+/// Smallest cost of a pixel when what it shows is far away; one that is small enough ends the search.
+double far_cost(const Pair& pair, const Misfit& pixel) {
+    const Eigen::Vector3d at(pixel.u, pixel.v, 1.0);
+    const Eigen::Vector3d infinite = pair.warp.A * at;
+    const Eigen::Vector3d change = pair.warp.B * (pair.warp.forward.dot(at) / far_m);
+    const double way_px = ((infinite + change).hnormalized() - infinite.hnormalized()).norm();
+    const int steps = 1 + static_cast<int>(std::min(way_px / far_step_px, far_steps_max));
+    double least = rows::cost_max;
+    for (int i = 0; i <= steps && least > rows::misfit_cost; ++i)
+        least = std::min(least, cost_at(pair, pixel, (infinite + change * i / steps).hnormalized()));
+    return least;
+}
+
+/// Collects the pixels of a row above the floor that lie on upright edges and do not move as if far away.
+void collect_upright_edges(const Pair& pair, int v, int strip, const Columns& columns, FloorComparison& out) {
+    const float* const now = pair.newer.row(v);
+    const auto width = static_cast<std::ptrdiff_t>(pair.newer.width);
+    for (int u = columns.begin; u < columns.end; ++u) {
+        if ((out.row_counts[static_cast<std::size_t>(u)] & rows::edge_one) == 0) continue;
+        const float dx = now[u + 1] - now[u - 1];
+        const float dy = now[u + width] - now[u - width];
+        if (std::abs(dx) < std::abs(dy)) continue;
+        const float steepness2 = 0.25F * (dx * dx + dy * dy);
+        const float grey = now[u] / static_cast<float>(out.gain);
+        const double cost = far_cost(pair, {u, v, true, grey, steepness2, 0.0F});
+        if (cost <= rows::misfit_cost) continue;
+        row_of(out.cost, pair.newer, v)[u] = static_cast<float>(cost);
+        row_of(out.steepness2, pair.newer, v)[u] = steepness2;
+        out.unsorted.push_back({strip, v * pair.newer.width + u});
+    }
+}
+
+/// Counts pixels and edges of the rows above the floor, and collects the upright edges of things that are
+/// near: a thing as bright as the floor may show by them alone.
+void look_above_floor(const Pair& pair, FloorComparison& out) {
+    for (int v = 1; v < pair.last_row_above(); ++v) {
+        rows::CostRow row{};
+        row.above = pair.newer.row(v - 1);
+        row.now = pair.newer.row(v);
+        row.below = pair.newer.row(v + 1);
+        row.noise = pair.noise;
+        row.counts = out.row_counts.data();
+        const Columns columns = columns_of(pair.grid, pair.newer, pair.strips, v);
+        rows::functions().edges(row, columns.begin, columns.end);
+        for_each_strip(pair.grid, pair.newer, pair.strips, v, [&](int strip, int first, int last) {
+            const Columns own{std::max(first, columns.begin), std::min(last, columns.end)};
+            count_properties(row.counts, own.begin, own.end,
+                             out.cells[pair.grid.index(v / cell_rows, strip)]);
+            collect_upright_edges(pair, v, strip, own, out);
+        });
+    }
+}
+
 /// Sorts the misfits by strip; those of one strip stay in their order.
 void sort_by_strip(const StripGrid& grid, FloorComparison& out) {
     out.first_misfit.assign(static_cast<std::size_t>(grid.strips) + 2, 0);
@@ -289,6 +360,7 @@ void compare_with_floor(const LevelImage& reference, const LevelImage& newer, co
     warp_floor(pair, out.warped);
     measure_brightness(pair, out);
     measure_offsets(pair, out);
+    look_above_floor(pair, out);
     MedianCost median;
     for (int v = pair.first_row(); v < pair.last_row(); ++v) {
         const Columns columns = columns_of(pair.grid, newer, strips, v);
@@ -338,24 +410,6 @@ Misfit misfit_at(const FloorComparison& data, const LevelImage& newer, int pixel
             (now[0] - data.offset[offset]) / static_cast<float>(data.gain),
             data.steepness2[i],
             data.cost[i]};
-}
-
-void count_edges_above_floor(const LevelImage& newer, double noise, FloorComparison& out) {
-    const StripGrid grid = strip_grid(newer);
-    const int last_row = std::min({grid.top_row, newer.height - 1, grid.cells * cell_rows});
-    for (int v = 1; v < last_row; ++v) {
-        rows::CostRow row{};
-        row.above = newer.row(v - 1);
-        row.now = newer.row(v);
-        row.below = newer.row(v + 1);
-        row.noise = static_cast<float>(noise);
-        row.counts = out.row_counts.data();
-        rows::functions().edges(row, 1, newer.width - 1);
-        for_each_strip(grid, newer, {0, grid.strips}, v, [&](int strip, int begin, int end) {
-            count_properties(row.counts, std::max(begin, 1), std::min(end, newer.width - 1),
-                             out.cells[grid.index(v / cell_rows, strip)]);
-        });
-    }
 }
 
 }  // namespace flownav::obstacles

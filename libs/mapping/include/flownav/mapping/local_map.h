@@ -32,14 +32,18 @@ class LocalMap {
     const mrpt::maps::COccupancyGridMap2D& grid() const { return grid_; }
 
   private:
-    /// Sum of the evidence for one cell of the map's frame.
+    /// Sums of the evidence for one cell of the map's frame: log odds of being FREE, in thousandths.
     struct Sum {
-        int log_odds = 0;  ///< of being FREE, in thousandths
-        int since = 0;     ///< number of the first set in the sum
+        int told = 0;   ///< that it is free, or occupied
+        int doubt = 0;  ///< evidence toward unknown: of the other sign, and not more than what is told
+        int since = 0;  ///< number of the first set in the sums
+
+        int log_odds() const { return told + doubt; }
     };
     struct Entry {
         Eigen::Vector2i cell;
         int log_odds;
+        bool is_doubt;
     };
     struct Remembered {
         double timestamp_s = 0.0;
@@ -52,6 +56,7 @@ class LocalMap {
     void draw_rims(const Eigen::Isometry2d& T_robot_map);
     /// Adds evidence to its cell, as far as the limits let it, and returns how much was added.
     int add(const Evidence& e);
+    static void add_to(Sum& sum, bool is_doubt, int log_odds);
     void forget(const Remembered& old);
 
     MapParams params_;

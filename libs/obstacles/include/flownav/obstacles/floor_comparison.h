@@ -23,14 +23,14 @@ inline bool has_edge(const FloorCell& cell) {
     return 10 * cell.edges > cell.pixels;
 }
 
-/// A pixel that does not move as the floor does.
+/// A pixel that does not move as the floor does, or, above the floor, as what is far away.
 struct Misfit {
     int u = 0;
     int v = 0;
     bool steep = false;  ///< on an edge nearer to the vertical than to the horizontal
     float grey = 0.0F;   ///< on the brightness scale of the reference
     float gradient2 = 0.0F;
-    float cost = 0.0F;  ///< of the floor
+    float cost = 0.0F;  ///< of the floor, or of what is far away
 };
 
 /// Result and memory of compare_with_floor().
@@ -67,7 +67,8 @@ struct FloorComparison {
 void reserve(FloorComparison& comparison, std::size_t width, std::size_t height);
 
 /// Compares every pixel of the strips that could show floor with the place in the reference from which `warp`
-/// says the floor came. `noise`: standard deviation of differences of grey levels.
+/// says the floor came. Above the floor, counts edges and collects the pixels on upright ones that do not
+/// move as if far away. `noise`: standard deviation of differences of grey levels.
 void compare_with_floor(const LevelImage& reference, const LevelImage& newer, const PairWarp& warp,
                         double noise, const StripRange& strips, FloorComparison& out);
 
@@ -78,8 +79,5 @@ void measure_preferences(const LevelImage& reference, const LevelImage& newer, c
 
 /// Pixel `pixel` of `data.misfits`.
 Misfit misfit_at(const FloorComparison& data, const LevelImage& newer, int pixel);
-
-/// After compare_with_floor(): counts pixels and edges in the cells above the floor.
-void count_edges_above_floor(const LevelImage& newer, double noise, FloorComparison& out);
 
 }  // namespace flownav::obstacles
