@@ -162,7 +162,13 @@ double length_m(const std::vector<Vector2d>& path_m) {
 Plan plan(const COccupancyGridMap2D& map, const Vector2d& from_m, const Vector2d& goal_m,
           const RobotModel& robot, const PlanParams& params) {
     const Plan wanted = plan_once(map, from_m, goal_m, robot, params);
-    if (wanted.reaches_goal) return wanted;
+    if (wanted.reaches_goal) {
+        // What single sights closed is looked at from near before the robot drives far around it.
+        PlanParams doubting = params;
+        doubting.limits.plan_obstacle_below = params.limits.plan_certain_below;
+        const Plan straight = plan_once(map, from_m, goal_m, robot, doubting);
+        return wanted.cost_m > straight.cost_m + params.doubt_cost_m ? straight : wanted;
+    }
     // A single false point may close a passage: less margin, and then only what was seen again and again.
     PlanParams bold = params;
     bold.margin_m = params.bold_margin_m;

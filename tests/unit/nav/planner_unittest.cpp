@@ -84,6 +84,20 @@ TEST(Planner, WithoutAWayThePathEndsNearTheGoal) {
     EXPECT_NEAR(way.path_m.back().y(), 0.0, 0.1);
 }
 
+TEST(Planner, AWayThatASingleSightClosedIsLookedAtBeforeALongDetourIsMade) {
+    for (const bool is_certain : {false, true}) {
+        for (const double end_m : {-1.5, 4.5}) {  // of the wall, which leaves a short or a long way around
+            COccupancyGridMap2D map = free_map();
+            fill(map, {1.0, -5.0}, {1.1, end_m}, is_certain ? 0.05F : 0.3F);
+            PlanParams params;
+            params.area_margin_m = 0.0;
+            const Plan way = plan(map, {-2.0, -3.0}, {3.0, -3.0}, RobotModel(), params);
+            ASSERT_TRUE(way.reaches_goal);
+            EXPECT_EQ(length_m(way.path_m) > 5.5, is_certain || end_m < 2.0) << end_m;
+        }
+    }
+}
+
 TEST(Planner, SeenGroundIsPreferredToUnseen) {
     COccupancyGridMap2D map = free_map();
     fill(map, {-1.0, -1.0}, {1.0, 5.0}, 0.5F);

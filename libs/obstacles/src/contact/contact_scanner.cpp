@@ -237,7 +237,7 @@ void reserve(ContactMemory& memory, const CameraModel& camera) {
     memory.floor.sorted.reserve(strips_max);
     memory.floor.missing.reserve(half(camera.height_px) / cell_rows + 1);
     reserve(memory.registration, pixels);
-    memory.earlier.reserve(1024);
+    memory.earlier.reserve(2048);
     memory.work.scan.strips.reserve(strips_max);
     reserve(memory.cone, half(camera.height_px) / cell_rows);
 }

@@ -227,22 +227,33 @@ double far_cost(const Pair& pair, const Misfit& pixel) {
     return least;
 }
 
-/// Collects the pixels of a row above the floor that lie on upright edges and do not move as if far away.
-void collect_upright_edges(const Pair& pair, int v, int strip, const Columns& columns, FloorComparison& out) {
+/// Costs of the pixels of a row above the floor that lie on upright edges, if they are far away; 0 elsewhere.
+void measure_far_costs(const Pair& pair, int v, const Columns& columns, FloorComparison& out) {
     const float* const now = pair.newer.row(v);
     const auto width = static_cast<std::ptrdiff_t>(pair.newer.width);
+    float* const costs = row_of(out.cost, pair.newer, v);
+    float* const steepness2 = row_of(out.steepness2, pair.newer, v);
     for (int u = columns.begin; u < columns.end; ++u) {
+        costs[u] = 0.0F;
         if ((out.row_counts[static_cast<std::size_t>(u)] & rows::edge_one) == 0) continue;
         const float dx = now[u + 1] - now[u - 1];
         const float dy = now[u + width] - now[u - width];
         if (std::abs(dx) < std::abs(dy)) continue;
-        const float steepness2 = 0.25F * (dx * dx + dy * dy);
+        steepness2[u] = 0.25F * (dx * dx + dy * dy);
         const float grey = now[u] / static_cast<float>(out.gain);
-        const double cost = far_cost(pair, {u, v, true, grey, steepness2, 0.0F});
-        if (cost <= rows::misfit_cost) continue;
-        row_of(out.cost, pair.newer, v)[u] = static_cast<float>(cost);
-        row_of(out.steepness2, pair.newer, v)[u] = steepness2;
-        out.unsorted.push_back({strip, v * pair.newer.width + u});
+        costs[u] = static_cast<float>(far_cost(pair, {u, v, true, grey, steepness2[u], 0.0F}));
+    }
+}
+
+/// Collects the pixels on both sides of upright edges that do not move as if far away. The side that fits
+/// both tells which contacts are too near.
+void collect_upright_edges(const Pair& pair, int v, int strip, const Columns& own, const Columns& all,
+                           FloorComparison& out) {
+    const float* const costs = row_of(out.cost, pair.newer, v);
+    for (int u = std::max(own.begin, all.begin + 1); u < std::min(own.end, all.end - 1); ++u) {
+        const float worst = std::max({costs[u - 1], costs[u], costs[u + 1]});
+        if (costs[u] > 0.0F && worst > rows::misfit_cost)
+            out.unsorted.push_back({strip, v * pair.newer.width + u});
     }
 }
 
@@ -258,11 +269,12 @@ void look_above_floor(const Pair& pair, FloorComparison& out) {
         row.counts = out.row_counts.data();
         const Columns columns = columns_of(pair.grid, pair.newer, pair.strips, v);
         rows::functions().edges(row, columns.begin, columns.end);
+        measure_far_costs(pair, v, columns, out);
         for_each_strip(pair.grid, pair.newer, pair.strips, v, [&](int strip, int first, int last) {
             const Columns own{std::max(first, columns.begin), std::min(last, columns.end)};
             count_properties(row.counts, own.begin, own.end,
                              out.cells[pair.grid.index(v / cell_rows, strip)]);
-            collect_upright_edges(pair, v, strip, own, out);
+            collect_upright_edges(pair, v, strip, own, columns, out);
         });
     }
 }

@@ -27,6 +27,15 @@ CameraModel camera() {
     return c;
 }
 
+/// As a lens shows it, which blurs a little.
+LevelImage blurred(const LevelImage& sharp) {
+    LevelImage image = sharp;
+    for (int v = 0; v < image.height; ++v)
+        for (int u = 1; u + 1 < image.width; ++u)
+            image.row(v)[u] = (sharp.row(v)[u - 1] + 2 * sharp.row(v)[u] + sharp.row(v)[u + 1]) / 4;
+    return image;
+}
+
 /// The image of the full resolution whose halves are the level image; with a little fixed noise.
 std::vector<std::uint8_t> doubled(const LevelImage& image, int number) {
     std::vector<std::uint8_t> out(640 * 480);
@@ -50,7 +59,7 @@ ContactScan drive(const LevelWorld& world, int cycles, double travel_m = 0.16, b
     for (int i = 0; i < cycles; ++i) {
         LevelView view;
         view.T_world_camera.x_m = i * travel_m;
-        const std::vector<std::uint8_t> pixels = doubled(draw(world, view), i);
+        const std::vector<std::uint8_t> pixels = doubled(blurred(draw(world, view)), i);
         const ImageView image{pixels.data(), 640, 480, 640};
         scan_cycle(memory, {image, mapper, view.T_world_camera, 0.0, 0.01, way_known}, {}, scan);
     }
@@ -103,6 +112,30 @@ TEST(ContactScan, AScreenOfOneColourOnTheLeftIsAContactOnTheLeft) {
     expect_contacts_at(drive(world, 5), -0.75 / ahead_m, ahead_m);
 }
 
+/// A screen as bright as the floor that stands out from the sky, `side` m to the right.
+LevelWorld hidden_below_the_horizon(double x_m, double right_m) {
+    LevelWorld world = carpet();
+    world.screens.push_back({x_m, -right_m, 0.3, 1.5, 128.0});
+    return world;
+}
+
+TEST(ContactScan, AThingAsBrightAsTheFloorShowsByItsEdgesAboveTheHorizon) {
+    for (const double side : {1.0, -1.0}) {
+        const ContactScan scan = drive(hidden_below_the_horizon(2.5, side * 0.75), 5);
+        expect_contacts_at(scan, side * 0.75 / ahead_m, ahead_m);
+    }
+}
+
+TEST(ContactScan, StraightAheadSuchAThingShowsAfterLongerWays) {
+    const ContactScan scan = drive(hidden_below_the_horizon(3.6, 0.0), 10);
+    EXPECT_FALSE(contacts_between(scan, -0.1, 0.1).empty());
+}
+
+TEST(ContactScan, EdgesFarAwayAreNoContacts) {
+    const ContactScan scan = drive(hidden_below_the_horizon(9.0, 2.0), 5);
+    EXPECT_TRUE(contacts_between(scan, -1.0, 1.0).empty());
+}
+
 TEST(ContactScan, TexturedFloorIsFreeAndHasNoContacts) {
     const ContactScan scan = drive({}, 5);
     int free = 0;
@@ -143,7 +176,7 @@ TEST(ContactScan, ItsPartsGiveTheSameScanInOneGoAndSpreadOverFields) {
     for (int i = 0; i < 5; ++i) {
         LevelView view;
         view.T_world_camera.x_m = i * 0.16;
-        std::vector<std::uint8_t> pixels = doubled(draw(world, view), i);
+        std::vector<std::uint8_t> pixels = doubled(blurred(draw(world, view)), i);
         ASSERT_TRUE(begin_scan(
             memory, {{pixels.data(), 640, 480, 640}, mapper, view.T_world_camera, 0.0, 0.01, true}, {}));
         std::fill(pixels.begin(), pixels.end(),

@@ -15,7 +15,7 @@ struct OccupancyLimits {
     double guard_free_above = 0.55;
     // Planner and recovery.
     double plan_obstacle_below = 0.45;
-    double plan_certain_below = 0.25;  ///< an obstacle of the last attempt to find a way
+    double plan_certain_below = 0.12;  ///< an obstacle that was seen again and again
     double backing_free_above = 0.52;  ///< ground that the robot may back over
     // map.pgm and the counts of its cells.
     double export_occupied_below = 0.35;

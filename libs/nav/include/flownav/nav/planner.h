@@ -20,10 +20,11 @@ struct PlanParams {
     double avoid_radius_m = 0.4;           ///< nearer to one than this
     double avoid_cost = 8.0;               ///< a metre costs so much more, in metres; again for each
     double bold_margin_m = 0.03;           ///< margin of the last attempt to find a path
-    double area_margin_m = 6.0;            ///< how far beside start, goal and map a way may lead
-    double area_max_m = 200.0;             ///< edge of the planned area
-    double look_near_m = 0.5;              ///< the way point is at least this far along the path
-    double look_ahead_m = 1.6;             ///< of the way point that a local navigator is given
+    double doubt_cost_m = 4.0;   ///< a detour may cost so much more than a way past doubtful obstacles
+    double area_margin_m = 6.0;  ///< how far beside start, goal and map a way may lead
+    double area_max_m = 200.0;   ///< edge of the planned area
+    double look_near_m = 0.5;    ///< the way point is at least this far along the path
+    double look_ahead_m = 1.6;   ///< of the way point that a local navigator is given
 };
 
 /// Path over the map, from the robot to the goal.

@@ -56,9 +56,10 @@ class KeyImages {
     int size_ = 0;
 };
 
-/// A place that got votes in an earlier scan, in the frame of T_start_robot.
+/// A place that showed a contact in an earlier scan, in the frame of T_start_robot.
 struct EarlierContact {
     Eigen::Vector2d place_m = Eigen::Vector2d::Zero();
+    Eigen::Vector2d robot_m = Eigen::Vector2d::Zero();  ///< where the robot was
     int scan = 0;
 };
 
