@@ -234,6 +234,7 @@ void reserve(ContactMemory& memory, const CameraModel& camera) {
     reserve(memory.votes, half(camera.height_px));
     memory.evidence.reserve(strips_max);
     memory.floor.floor.reserve(strips_max * (half(camera.height_px) / cell_rows + 1));
+    memory.floor.ends.reserve(strips_max);
     memory.floor.sorted.reserve(strips_max);
     memory.floor.missing.reserve(half(camera.height_px) / cell_rows + 1);
     reserve(memory.registration, pixels);

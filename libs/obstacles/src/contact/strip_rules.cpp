@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "flownav/math/order_statistic.h"
 #include "flownav/obstacles/strip_grid.h"
@@ -24,6 +25,14 @@ constexpr double missing_max = 4.0;    // log-likelihood of texture that should 
 constexpr double contradiction = 1.5;  // added for a cell that is not floor
 constexpr double presence_max = 0.97;
 constexpr int presence_cells = 3;  // cells over which the presence of texture is measured
+// Where texture ends along a line.
+constexpr int end_cells = 6;          // on either side of an end are compared
+constexpr int end_pixels_min = 80;    // of each side
+constexpr double texture_min = 0.5;   // preference before the end
+constexpr double texture_left = 0.2;  // of it behind the end, at the most
+constexpr double one_line = 0.12;     // largest relative step of range between the strips of one line
+constexpr int line_neighbours = 3;    // of the four nearest strips
+constexpr double line_within_m = 1.3;
 // Walls.
 constexpr int above_horizon_cells = 2;
 constexpr double low_floor_share = 0.8;  // of the way to such a surface: floor is confirmed
@@ -98,17 +107,18 @@ double presence(const StripGrid& grid, const std::vector<FloorCell>& cells, cons
     return live > 0 ? std::min(static_cast<double>(with_floor) / live, presence_max) : 0.0;
 }
 
-double floor_end_m(const LevelImage& image, const StripGrid& grid, const std::vector<FloorCell>& cells,
+FloorEnd floor_end(const LevelImage& image, const StripGrid& grid, const std::vector<FloorCell>& cells,
                    const FloorMap& map, int strip) {
     const int top = grid.top_row / cell_rows + 1;
-    double end_m = 0.0;
+    FloorEnd end;
     double reached_m = image.camera.floor_m(grid.cells * cell_rows - 1);  // lower border of the view
     double lacking = 0.0;
     for (int cell = grid.cells - 1; cell >= top; --cell) {
         const FloorCell& c = cells[grid.index(cell, strip)];
         const double far_m = image.camera.floor_m(cell * cell_rows);
         if (map.floor[grid.index(cell, strip)] != 0) {
-            end_m = reached_m = far_m;
+            end = {far_m, cell};
+            reached_m = far_m;
             lacking = 0.0;
             continue;
         }
@@ -116,7 +126,47 @@ double floor_end_m(const LevelImage& image, const StripGrid& grid, const std::ve
         if (c.not_floor >= floor_min && c.not_floor > c.floor) lacking += contradiction;
         if (lacking > missing_max || far_m - reached_m > gap_share * std::max(1.0, far_m)) break;
     }
-    return end_m;
+    return end;
+}
+
+/// Mean preference of the cells begin to end - 1 of a strip; empty where too few pixels tell.
+std::optional<double> mean_preference(const StripGrid& grid, const std::vector<FloorCell>& cells, int strip,
+                                      int begin, int end) {
+    double sum = 0.0;
+    int compared = 0;
+    for (int cell = std::max(0, begin); cell < std::min(end, grid.cells); ++cell) {
+        sum += cells[grid.index(cell, strip)].preference;
+        compared += cells[grid.index(cell, strip)].compared;
+    }
+    return compared >= end_pixels_min ? std::optional<double>(sum / compared) : std::nullopt;
+}
+
+/// True when the floor of a strip has texture up to its end, and what lies behind has none.
+bool texture_ends(const StripGrid& grid, const std::vector<FloorCell>& cells, int strip,
+                  const FloorEnd& end) {
+    if (!(end.forward_m > 0.0 && end.forward_m < line_within_m)) return false;
+    const auto before = mean_preference(grid, cells, strip, end.cell, end.cell + end_cells);
+    const auto behind = mean_preference(grid, cells, strip, end.cell - end_cells, end.cell);
+    return before && behind && *before > texture_min && *behind < texture_left * *before;
+}
+
+/// Marks strips as seen where texture ends along a line: what begins there is something else than this floor,
+/// though it shows no edge.
+void see_ends_of_texture(const StripGrid& grid, const std::vector<FloorCell>& cells, const FloorMap& map,
+                         std::vector<StripEvidence>& strips) {
+    const auto end_m = [&](int s) {
+        return texture_ends(grid, cells, s, map.ends[static_cast<std::size_t>(s)])
+                   ? map.ends[static_cast<std::size_t>(s)].forward_m
+                   : 0.0;
+    };
+    for (int s = 0; s < grid.strips; ++s) {
+        const double here_m = end_m(s);
+        if (here_m <= 0.0) continue;
+        int alike = 0;
+        for (int k = std::max(0, s - 2); k <= std::min(grid.strips - 1, s + 2); ++k)
+            alike += k != s && std::abs(end_m(k) - here_m) < one_line * std::abs(k - s) * here_m;
+        if (alike >= line_neighbours) strips[static_cast<std::size_t>(s)].is_seen = true;
+    }
 }
 
 /// The first edge below a surface that has none.
@@ -174,8 +224,12 @@ void find_floor_ends(const LevelImage& image, const std::vector<FloorCell>& cell
     map.missing.assign(static_cast<std::size_t>(grid.cells), 0.0);
     for (int cell = grid.top_row / cell_rows; cell < grid.cells; ++cell)
         map.missing[static_cast<std::size_t>(cell)] = -std::log(1.0 - presence(grid, cells, map.floor, cell));
-    for (int s = 0; s < grid.strips; ++s)
-        strips[static_cast<std::size_t>(s)].floor_end_m = floor_end_m(image, grid, cells, map, s);
+    map.ends.clear();
+    for (int s = 0; s < grid.strips; ++s) {
+        map.ends.push_back(floor_end(image, grid, cells, map, s));
+        strips[static_cast<std::size_t>(s)].floor_end_m = map.ends.back().forward_m;
+    }
+    see_ends_of_texture(grid, cells, map, strips);
 }
 
 void find_walls(const LevelImage& image, const std::vector<FloorCell>& cells, const FloorMap& map,

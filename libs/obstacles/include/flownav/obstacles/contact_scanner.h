@@ -94,9 +94,16 @@ struct ScanInWork {
     ContactScan scan;
 };
 
+/// Where the floor of a strip ends.
+struct FloorEnd {
+    double forward_m = 0.0;  ///< 0: no floor is confirmed
+    int cell = 0;            ///< the last one of floor
+};
+
 /// Where a scan sees floor.
 struct FloorMap {
     std::vector<char> floor;      ///< of each cell
+    std::vector<FloorEnd> ends;   ///< of each strip
     std::vector<double> sorted;   ///< buffer
     std::vector<double> missing;  ///< of each group of rows: -log of the chance to see no floor where it is
 };
