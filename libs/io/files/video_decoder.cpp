@@ -7,6 +7,7 @@ extern "C" {
 #include <libswscale/swscale.h>
 }
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -68,19 +69,24 @@ void read_rotation(const AVStream& stream, VideoFacts& facts) {
     if (!facts.odd_rotation) facts.turn_deg = (static_cast<int>(quarter) * 90 + 360) % 360;
 }
 
+/// True for a container of this kind.
+bool has_name(const AVFormatContext& format, const char* name) {
+    return std::string(format.iformat->name).find(name) != std::string::npos;
+}
+
 /// Number of compressed images by the header; 0: not told. An mp4 may leave out some of those that its header
 /// counts, by its edit list: its index holds the others.
 std::uint64_t images_told(const AVFormatContext& format, const AVStream& stream) {
-    const bool mp4 = std::string(format.iformat->name).find("mp4") != std::string::npos;
-    const std::int64_t count = mp4 ? avformat_index_get_entries_count(&stream) : stream.nb_frames;
+    const std::int64_t count =
+        has_name(format, "mp4") ? avformat_index_get_entries_count(&stream) : stream.nb_frames;
     return count > 0 ? static_cast<std::uint64_t>(count) : 0;
 }
 
 VideoFacts facts_of(const AVFormatContext& format, const AVStream& stream) {
     VideoFacts facts;
-    facts.rate_hz = usual_rate(stream.avg_frame_rate);
-    if (!facts.rate_hz) facts.rate_hz = usual_rate(stream.r_frame_rate);
-    facts.has_times = (format.iformat->flags & AVFMT_NOTIMESTAMPS) == 0;
+    const AVRational& mean = stream.avg_frame_rate;
+    facts.rate_hz = usual_rate(mean.num > 0 && mean.den > 0 ? mean : stream.r_frame_rate);
+    facts.has_times = (format.iformat->flags & AVFMT_NOTIMESTAMPS) == 0 && facts.rate_hz;
     if (!facts.has_times) facts.rate_hz.reset();
     facts.images = images_told(format, stream);
     read_rotation(stream, facts);
@@ -108,6 +114,7 @@ struct VideoDecoder::Parts {
     AVStream* stream = nullptr;
     VideoFacts facts;
     std::uint64_t packets = 0;
+    std::uint64_t periods = 0;  ///< up to the last packet, where stamps count them
     std::uint64_t damaged = 0;
     bool flushing = false;
 
@@ -119,13 +126,18 @@ struct VideoDecoder::Parts {
             avcodec_send_packet(codec.get(), nullptr);
             return;
         }
-        if (packet->stream_index == stream->index && packet->size == 0) {
-            ++packets;  // a repeated image
-        } else if (packet->stream_index == stream->index) {
-            ++packets;
-            if (avcodec_send_packet(codec.get(), packet.get()) < 0) ++damaged;
-        }
+        if (packet->stream_index == stream->index) send();
         av_packet_unref(packet.get());
+    }
+
+    /// Gives the packet to the decoder, unless it is incomplete or repeats an image.
+    void send() {
+        const bool whole = (packet->flags & AV_PKT_FLAG_CORRUPT) == 0;
+        if (!whole) ++damaged;
+        if (!whole || packet->size == 0) return;
+        ++packets;
+        if (packet->dts >= 0) periods = static_cast<std::uint64_t>(packet->dts) + 1;
+        if (avcodec_send_packet(codec.get(), packet.get()) < 0) ++damaged;
     }
 
     /// Decodes the next image into `frame`; false at the end.
@@ -181,7 +193,8 @@ std::optional<VideoImage> VideoDecoder::next() {
     Parts& p = *parts_;
     while (p.decode()) {
         VideoImage image;
-        image.grey = p.grey();
+        const bool whole = p.frame->decode_error_flags == 0 && (p.frame->flags & AV_FRAME_FLAG_CORRUPT) == 0;
+        if (whole) image.grey = p.grey();
         if (image.grey.empty()) {
             ++p.damaged;
             continue;
@@ -201,8 +214,16 @@ const VideoFacts& VideoDecoder::facts() const {
     return parts_->facts;
 }
 
-std::uint64_t VideoDecoder::packets() const {
-    return parts_->packets;
+std::string VideoDecoder::cut_short() const {
+    const Parts& p = *parts_;
+    const std::uint64_t told = p.facts.images;
+    if (told == 0) return "";
+    // An AVI counts periods of its rate; those without an image hold no packet.
+    const std::uint64_t seen = has_name(*p.format, "avi") ? p.periods : p.packets;
+    const std::uint64_t tolerance = has_name(*p.format, "mp4") ? 0 : std::max<std::uint64_t>(1, told / 50);
+    if (seen + tolerance >= told) return "";
+    return "is cut short or damaged, it should hold " + std::to_string(told) + " images and ends after " +
+           std::to_string(seen);
 }
 
 std::uint64_t VideoDecoder::damaged() const {

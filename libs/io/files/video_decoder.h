@@ -19,7 +19,7 @@ struct VideoImage {
 /// What the container tells about its video.
 struct VideoFacts {
     std::optional<double> rate_hz;  ///< images a second, 1 .. 1000; empty: not told
-    bool has_times = false;         ///< false for raw streams, whose stamps are made up
+    bool has_times = false;         ///< false for raw streams, whose stamps are made up, and without a rate
     std::uint64_t images = 0;       ///< as the header says; 0: not told
     int turn_deg = 0;               ///< clockwise turn to see it upright: 0, 90, 180 or 270
     bool odd_rotation = false;  ///< the rotation tag mirrors, or turns by another angle; it is not followed
@@ -39,8 +39,8 @@ class VideoDecoder {
 
     const VideoFacts& facts() const;
 
-    /// Compressed images read so far, of which the header tells the number.
-    std::uint64_t packets() const;
+    /// After the end: tells that the file ends before its header says so; empty when it does not.
+    std::string cut_short() const;
 
     /// Compressed images that could not be decoded so far.
     std::uint64_t damaged() const;

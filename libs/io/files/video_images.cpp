@@ -84,18 +84,16 @@ std::optional<Field> VideoImages::next() {
 void VideoImages::finish() {
     finished_ = true;
     const std::string name = file_.string() + ": ";
-    const auto told = decoder_.facts().images;
-    const auto read = decoder_.packets();
-    if (read < told)
-        problems_.push_back(name + "is cut short or damaged, it should hold " + std::to_string(told) +
-                            " images and holds " + std::to_string(read));
+    const std::string cut_short = decoder_.cut_short();
+    if (!cut_short.empty()) problems_.push_back(name + cut_short);
     if (decoder_.damaged() > 0)
         problems_.push_back(name + std::to_string(decoder_.damaged()) +
                             " images are damaged and are left out");
     if (not_rising_ > 0)
         problems_.push_back(
             name + std::to_string(not_rising_) +
-            " images have a time stamp that is not later than the one before and are left out");
+            " images have a time stamp that is not later than the one before and are left out; a "
+            "constant rate (--rate, rate_hz) would date them all");
     if (other_size_ > 0)
         problems_.push_back(name + std::to_string(other_size_) +
                             " images have another size than the first, " + std::to_string(width_px_) + " x " +

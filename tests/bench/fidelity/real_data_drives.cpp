@@ -6,7 +6,6 @@
 #include "flownav/evaluation/metrics.h"
 #include "flownav/io/image_folder.h"
 #include "flownav/io/kitti.h"
-#include "flownav/math/units.h"
 #include "markdown.h"
 #include "real_data.h"
 #include "statistics.h"
@@ -36,16 +35,6 @@ config::Config config_of(const std::string& ini) {
     config::Config config;
     config::load_config_file(config, std::string(FLOWNAV_INI_DIR) + '/' + ini);
     return config;
-}
-
-CameraMount mount_of(const config::CameraConfig& camera) {
-    CameraMount mount;
-    mount.height_m = camera.height_m.value();
-    mount.pitch_rad = camera.pitch_deg.value() * degree_rad;
-    mount.roll_rad = camera.roll_deg.value() * degree_rad;
-    mount.yaw_rad = camera.yaw_deg.value() * degree_rad;
-    mount.forward_m = camera.forward_m.value();
-    return mount;
 }
 
 std::vector<evaluation::FieldRow> drive_through(io::ImageSequence& images, const config::Config& config,
@@ -108,7 +97,7 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
 
 OdometryScore odometry_score(const fs::path& folder) {
     const config::Config config = config_of("kitti.ini");
-    io::KittiOdometry images(folder, "00", mount_of(config.camera));
+    io::KittiOdometry images(folder, "00", io::kitti_mount("00"));
     evaluation::PoseTrack truth;
     const auto rows = drive_through(images, config, truth);
     return {ok_share(rows), first_ok(rows), evaluation::compare(rows, truth)};

@@ -34,7 +34,7 @@ Owned<AVCodecContext> encoder(const VideoSample& sample, const cv::Mat& image, b
     context->width = image.cols;
     context->height = image.rows;
     context->pix_fmt = jpeg ? AV_PIX_FMT_YUVJ420P : AV_PIX_FMT_YUV420P;
-    context->time_base = std::string(sample.codec) == "mpeg2video" ? AVRational{1, 25} : AVRational{1, 1000};
+    context->time_base = sample.rate_hz > 0 ? AVRational{1, sample.rate_hz} : AVRational{1, 1000};
     context->framerate = {25, 1};
     context->max_b_frames = sample.b_frames;
     context->bit_rate = 4000000;
@@ -77,7 +77,7 @@ void write_packets(AVCodecContext& codec, AVFormatContext& format, const AVStrea
 
 bool write_timed_video(const std::filesystem::path& file, const std::vector<cv::Mat>& images,
                        const VideoSample& sample) {
-    av_log_set_level(AV_LOG_ERROR);
+    av_log_set_level(AV_LOG_QUIET);
     AVFormatContext* opened = nullptr;
     if (avformat_alloc_output_context2(&opened, nullptr, sample.format, file.c_str()) < 0) return false;
     const Owned<AVFormatContext> format(opened);
@@ -94,7 +94,8 @@ bool write_timed_video(const std::filesystem::path& file, const std::vector<cv::
     if (avio_open(&format->pb, file.c_str(), AVIO_FLAG_WRITE) < 0) return false;
     if (avformat_write_header(format.get(), nullptr) < 0) return false;
     for (std::size_t i = 0; i < images.size(); ++i) {
-        const std::int64_t pts = av_rescale_q(sample.stamps_ms.at(i), {1, 1000}, codec->time_base);
+        std::int64_t pts = av_rescale_q(sample.stamps_ms.at(i), {1, 1000}, codec->time_base);
+        if (i > 0 && sample.stamps_ms.at(i) == sample.stamps_ms.at(i - 1)) pts = static_cast<std::int64_t>(i);
         const auto frame = frame_of(images[i], *codec, pts, sample.top_field_first);
         if (avcodec_send_frame(codec.get(), frame.get()) < 0) return false;
         write_packets(*codec, *format, *stream);

@@ -97,6 +97,17 @@ TEST(Video, ARawStreamAsksForItsRate) {
     expect_times(times_of(sequence), {0, 0.05, 0.10});
 }
 
+TEST(Video, ARateThatNoCameraHasCountsAsNotTold) {
+    VideoSample sample;
+    sample.format = "avi";
+    sample.codec = "mjpeg";
+    sample.rate_hz = 1200000;
+    sample.stamps_ms = {0, 0, 0};
+    const fs::path file = test_folder() / "fast.avi";
+    WRITE_OR_SKIP(file, corner_images(3), sample);
+    expect_parts(refusal_of(file), {"fast.avi", "--rate"});
+}
+
 TEST(Video, ARateThatContradictsTheVideoIsTold) {
     VideoSample sample;
     sample.stamps_ms = {0, 40, 80};
@@ -107,10 +118,24 @@ TEST(Video, ARateThatContradictsTheVideoIsTold) {
     EXPECT_TRUE(some_says(sequence.notes(), {"25 images a second", "--rate 50"}));
 }
 
+TEST(Video, ImagesThatAnAviLeavesOutAreNotMissed) {
+    VideoSample sample;
+    sample.format = "avi";
+    sample.codec = "mjpeg";
+    sample.rate_hz = 50;
+    sample.stamps_ms = {0, 20, 40, 160, 180, 400};
+    const fs::path file = test_folder() / "dropped.avi";
+    WRITE_OR_SKIP(file, corner_images(6), sample);
+    VideoFile sequence(file, sample_camera(), std::nullopt);
+    expect_times(times_of(sequence), in_seconds(sample.stamps_ms));
+    EXPECT_TRUE(sequence.problems().empty());
+}
+
 TEST(Video, AVideoThatIsCutShortIsTold) {
     VideoSample sample;
     sample.format = "avi";
     sample.codec = "mjpeg";
+    sample.rate_hz = 25;
     for (int i = 0; i < 20; ++i) sample.stamps_ms.push_back(40 * i);
     const fs::path file = test_folder() / "cut.avi";
     std::vector<cv::Mat> images = corner_images(20);
@@ -126,6 +151,7 @@ TEST(Video, WovenFieldsAreOffered) {
     VideoSample sample;
     sample.format = "matroska";
     sample.codec = "mpeg2video";
+    sample.rate_hz = 25;
     sample.top_field_first = true;
     for (int i = 0; i < 6; ++i) sample.stamps_ms.push_back(40 * i);
     const fs::path file = test_folder() / "woven.mkv";
