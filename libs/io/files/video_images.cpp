@@ -98,6 +98,16 @@ void VideoImages::finish() {
         problems_.push_back(name + std::to_string(other_size_) +
                             " images have another size than the first, " + std::to_string(width_px_) + " x " +
                             std::to_string(height_px_) + " pixels, and are left out");
+    if (constant_rate_ || images_ < 2) return;
+    const double period_s = *last_s_ / static_cast<double>(images_ - 1);
+    if (period_s < 0.0005)
+        problems_.push_back(
+            name + "its images are " + text_of(period_s) +
+            " s apart by their time stamps, as no camera takes them; give their rate (--rate, "
+            "rate_hz)");
+    if (period_s > 0.5)
+        notes_.push_back(name + "the images are " + text_of(period_s) +
+                         " s apart: a replay needs motion.gap_max_s above that (default 0.5)");
     if (unstamped_ > 0)
         notes_.push_back(name + std::to_string(unstamped_) +
                          " images have no time stamp; each is dated one period after the one before");

@@ -184,16 +184,38 @@ std::string why_no_counter(const std::vector<std::size_t>& numbers) {
            "of the images";
 }
 
+/// The changing run that counts the images: the only one, else the first that rises; empty when none does.
+std::optional<std::size_t> counter_run(const Names& names, const std::vector<std::size_t>& changing) {
+    if (changing.size() == 1) return changing.front();
+    for (const std::size_t run : changing)
+        if (rising(values_of(names, run))) return run;
+    return std::nullopt;
+}
+
+/// True when a number of the last changing run comes twice.
+bool last_run_repeats(const Names& names, const std::vector<std::size_t>& changing) {
+    const auto values = values_of(names, changing.back());
+    return std::set<long double>(values.begin(), values.end()).size() < values.size();
+}
+
 void find_numbers(const Names& names, const std::vector<std::size_t>& changing, NameSeries& series) {
-    if (changing.size() > 1) {
+    const auto run = counter_run(names, changing);
+    if (!run && last_run_repeats(names, changing)) {
+        series.refusal =
+            "the names of the images hold several numbers that change, and the last one repeats: images of "
+            "two cameras or drives; put those of one into a folder of their own, or give --times with the "
+            "names of the images";
+        return;
+    }
+    if (!run) {
         series.notes.emplace_back(
             "the names of the images hold several numbers that change; the images are taken in the order of "
             "their names");
         return;
     }
     for (const Parts& parts : names) {
-        if (parts.runs[changing[0]].size() > 18) return;
-        series.numbers.push_back(std::stoull(parts.runs[changing[0]]));
+        if (parts.runs[*run].size() > 18) return;
+        series.numbers.push_back(std::stoull(parts.runs[*run]));
     }
     if (!rising(series.numbers)) {
         series.numbers.clear();

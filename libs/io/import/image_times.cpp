@@ -79,21 +79,37 @@ void times_from_rate(const Images& images, double rate_hz, const NameSeries& nam
                                     " have no image; all other images keep the times of their numbers");
 }
 
-void tell_slow_images(ImageSchedule& schedule) {
-    constexpr double bridged_s = 0.5;
-    const auto& images = schedule.images;
-    if (images.size() < 2) return;
+/// Median of the distances of the images.
+double period_of(const std::vector<TimedImage>& images) {
     std::vector<double> periods_s;
     for (std::size_t i = 1; i < images.size(); ++i)
         periods_s.push_back(images[i].time_s - images[i - 1].time_s);
-    std::nth_element(periods_s.begin(), periods_s.begin() + static_cast<std::ptrdiff_t>(periods_s.size() / 2),
-                     periods_s.end());
-    const double period_s = periods_s[periods_s.size() / 2];
-    if (period_s <= bridged_s) return;
+    const auto middle = periods_s.begin() + static_cast<std::ptrdiff_t>((periods_s.size() - 1) / 2);
+    std::nth_element(periods_s.begin(), middle, periods_s.end());
+    return *middle;
+}
+
+/// Tells of images that are far apart, always or here and there.
+void tell_pauses(ImageSchedule& schedule) {
+    constexpr double bridged_s = 0.5;
+    constexpr double long_s = 10.0;
+    const auto& images = schedule.images;
+    if (images.size() < 2) return;
+    const double period_s = period_of(images);
     std::ostringstream text;
-    text << "the images are " << period_s << " s apart: a replay needs motion.gap_max_s above that (default "
-         << bridged_s << ")";
-    schedule.notes.push_back(text.str());
+    if (period_s > bridged_s) {
+        text << "the images are " << period_s
+             << " s apart: a replay needs motion.gap_max_s above that (default " << bridged_s << ")";
+        schedule.notes.push_back(text.str());
+    }
+    for (std::size_t i = 1; i < images.size(); ++i) {
+        const double pause_s = images[i].time_s - images[i - 1].time_s;
+        if (pause_s < std::max(long_s, 20 * period_s)) continue;
+        std::ostringstream pause;
+        pause << images[i].file.filename().string() << ": comes " << pause_s
+              << " s after the image before; correct its time if the camera did not pause";
+        schedule.notes.push_back(pause.str());
+    }
 }
 
 }  // namespace
@@ -122,7 +138,7 @@ ImageSchedule schedule_images(const fs::path& directory, const Images& images, c
                                          " are assumed, give --rate or --times when that is wrong");
         }
     }
-    tell_slow_images(schedule);
+    tell_pauses(schedule);
     return schedule;
 }
 

@@ -1,5 +1,6 @@
 #include "times_list.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -125,11 +126,13 @@ TimesList read_times_list(const std::filesystem::path& file, std::optional<TimeU
 }
 
 void require_rising(const TimesList& list) {
+    const bool whole = std::all_of(list.rows.begin(), list.rows.end(),
+                                   [](const TimesRow& row) { return row.time_s == std::floor(row.time_s); });
     for (std::size_t i = 1; i < list.rows.size(); ++i) {
         if (list.rows[i].time_s > list.rows[i - 1].time_s) continue;
         throw InputError(list.file.string() + ", line " + std::to_string(list.rows[i].line) +
-                         ": its time is not later than the one before; correct it, or use --rate (were the "
-                         "numbers written with decimal commas, write decimal points)");
+                         ": its time is not later than the one before; correct it, or use --rate" +
+                         (whole ? " (write numbers with a decimal point, not with a comma)" : ""));
     }
 }
 

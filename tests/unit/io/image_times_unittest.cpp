@@ -136,6 +136,14 @@ TEST(ImageTimes, NegativeAndFarTimesAreRefused) {
     expect_parts(import_with(three, "0\nnan\n1\n").refusal, {"line 2", "no time"});
 }
 
+TEST(ImageTimes, ALongPauseIsTold) {
+    const auto result = import_with(three, "0\n0.04\n86400.08\n");
+    expect_times(result.times_s, {0, 0.04, 86400.08});
+    EXPECT_TRUE(some_says(result.notes, {"000002.png", "86400 s after"}));
+    expect_parts(import_with({"0.png", "1.png", "2.png", "3.png"}, "0\n0.04\n86400.08\n0.12\n").refusal,
+                 {"line 4", "not later"});
+}
+
 TEST(ImageTimes, DatesAreTimes) {
     const std::vector<double> expected = {1317042145.0, 1317042145.04, 1317042145.08};
     for (const char* list :
@@ -288,6 +296,13 @@ TEST(ImageTimes, NumbersOfImagesCountAtARate) {
     EXPECT_TRUE(fifth.problems.empty());
 }
 
+TEST(ImageTimes, TheNumberThatRisesCountsTheImages) {
+    expect_times(
+        import_names({"image7_exposure80.png", "image8_exposure90.png", "image11_exposure80.png"}, 10.0)
+            .times_s,
+        {0, 0.1, 0.4});
+}
+
 TEST(ImageTimes, ARateThatIsAssumedIsTold) {
     const auto assumed = import_names(three);
     expect_times(assumed.times_s, {0, 0.04, 0.08});
@@ -306,6 +321,8 @@ TEST(ImageTimes, ImagesOfTwoCamerasInOneFolderAreRefused) {
     expect_parts(import_names({"left_0.png", "left_1.png", "right_0.png", "right_1.png"}, 25.0).refusal,
                  {"two cameras", "left_", "right_"});
     expect_parts(import_names({"0.png", "1.png", "1.bmp"}, 25.0).refusal, {"same number"});
+    expect_parts(import_names({"cam0_0.png", "cam0_1.png", "cam1_0.png", "cam1_1.png"}, 25.0).refusal,
+                 {"two cameras", "--times"});
 }
 
 TEST(ImageTimes, AListBesideTheImagesIsFound) {

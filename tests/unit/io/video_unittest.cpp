@@ -97,15 +97,23 @@ TEST(Video, ARawStreamAsksForItsRate) {
     expect_times(times_of(sequence), {0, 0.05, 0.10});
 }
 
-TEST(Video, ARateThatNoCameraHasCountsAsNotTold) {
+TEST(Video, TimesThatNoCameraHasAreTold) {
     VideoSample sample;
-    sample.format = "avi";
+    sample.format = "mov";
     sample.codec = "mjpeg";
     sample.rate_hz = 1200000;
-    sample.stamps_ms = {0, 0, 0};
-    const fs::path file = test_folder() / "fast.avi";
-    WRITE_OR_SKIP(file, corner_images(3), sample);
-    expect_parts(refusal_of(file), {"fast.avi", "--rate"});
+    sample.stamps_ms = {0, 0, 0, 0};
+    const fs::path file = test_folder() / "fast.mov";
+    WRITE_OR_SKIP(file, corner_images(4), sample);
+    VideoFile sequence(file, sample_camera(), std::nullopt);
+    times_of(sequence);
+    EXPECT_TRUE(some_says(sequence.problems(), {"fast.mov", "apart", "--rate"}));
+    sample.rate_hz = 0;
+    sample.stamps_ms = {0, 900, 1800, 2700};
+    WRITE_OR_SKIP(file, corner_images(4), sample);
+    VideoFile slow(file, sample_camera(), std::nullopt);
+    expect_times(times_of(slow), in_seconds(sample.stamps_ms));
+    EXPECT_TRUE(some_says(slow.notes(), {"0.9 s apart", "motion.gap_max_s"}));
 }
 
 TEST(Video, ARateThatContradictsTheVideoIsTold) {
