@@ -6,6 +6,7 @@
 #include "flownav/evaluation/metrics.h"
 #include "flownav/io/image_folder.h"
 #include "flownav/io/kitti.h"
+#include "flownav/math/units.h"
 #include "markdown.h"
 #include "real_data.h"
 #include "statistics.h"
