@@ -13,7 +13,8 @@ struct TableRow {
 };
 
 /// A table of a text file. Cells are separated by semicolons, commas or tabs, else by blanks; a date and its
-/// time of day are one cell, and so are a name and its unit in brackets. Lines that begin with # or % are comments.
+/// time of day are one cell, and so are a name and its unit in brackets. Lines that begin with # or % are
+/// comments.
 struct DataTable {
     std::filesystem::path file;
     std::vector<std::string> comment;  ///< cells of the last comment before the first row

@@ -24,6 +24,9 @@ const UnitRow& row_of(TimeUnit unit) {
     return *std::find_if(units.begin(), units.end(), [unit](const UnitRow& row) { return row.unit == unit; });
 }
 
+/// Images this far apart are never meant, so that a large number is no time since 1970 in that unit.
+constexpr double rare_interval_s = 3600.0;
+
 constexpr const char* advice = "tell the unit with --times-unit s|ms|us|ns";
 
 /// Distances of the sorted values that differ, as their median and whether all of them are 1.
@@ -130,11 +133,11 @@ UnitFinding find_time_unit(std::vector<long double> values, const UnitHints& hin
     if (intervals.all_one && !epoch)
         return refused("the times rise by exactly 1; if they are numbers of images, give --rate HZ instead");
     const auto usual = interval_unit(interval);
-    if (epoch && (usual == epoch || possible(interval, values.back(), *epoch))) {
-        const bool rival = usual && usual != epoch;
-        if (!rival) return recognised(*epoch, interval);
+    if (epoch && (usual == epoch || (!usual && possible(interval, values.back(), *epoch))))
+        return recognised(*epoch, interval);
+    if (epoch && usual && static_cast<double>(interval) * seconds_of(*epoch) < rare_interval_s) {
         return refused("the images would be " + apart(interval, *epoch) + " as " + row_of(*epoch).name +
-                       " and " + apart(interval, *usual) + " as " + row_of(*usual).name);
+                       " since 1970 and " + apart(interval, *usual) + " as " + row_of(*usual).name);
     }
     if (usual) return recognised(*usual, interval);
     return refused("the times rise by " + std::to_string(static_cast<double>(interval)) +

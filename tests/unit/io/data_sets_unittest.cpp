@@ -131,7 +131,8 @@ TEST(DataSets, EurocsGroundTruthIsThatOfTheBody) {
     // The camera looks along the body's x axis: its optical axes in the body are -y, -z, x.
     const auto begin = yaml.find("[0.0, -1.0");
     yaml.replace(begin, yaml.find(']', begin) + 1 - begin,
-                 "[0.0, 0.0, 1.0, 0.2,\n        -1.0, 0.0, 0.0, 0.0,\n         0.0, -1.0, 0.0, 0.0,\n         0.0, 0.0, 0.0, 1.0]");
+                 "[0.0, 0.0, 1.0, 0.2,\n        -1.0, 0.0, 0.0, 0.0,\n         0.0, -1.0, 0.0, 0.0,\n        "
+                 " 0.0, 0.0, 0.0, 1.0]");
     write_bytes(folder / "mav0" / "cam0" / "sensor.yaml", yaml);
     DataSetFolder sequence(folder, DataSetKind::Euroc, mount_only(), std::nullopt);
     sequence.next();

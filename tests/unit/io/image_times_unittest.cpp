@@ -102,6 +102,13 @@ TEST(ImageTimes, TimesOfNoKnownUnitAreRefusedWithTheOption) {
     expect_times(import_with(three, "0\n5\n10\n", TimeUnit::Seconds).times_s, {0, 5, 10});
 }
 
+TEST(ImageTimes, LargeNumbersThatAreTimesInTwoUnitsAreRefused) {
+    expect_parts(import_with(three, "1403636579\n1403636599\n1403636619\n").refusal,
+                 {"20 s apart as seconds since 1970", "0.02 s apart as milliseconds", "--times-unit"});
+    expect_times(import_with(three, "1403636579\n1403676579\n1403716579\n").times_s,
+                 {1403.636579, 1403.676579, 1403.716579});
+}
+
 TEST(ImageTimes, TheHeaderNamesTheUnit) {
     expect_times(import_with(three, "time_ms\n0\n5\n10\n").times_s, {0, 0.005, 0.01});
     expect_times(import_with(three, "stamp [us]\n0\n5000\n10000\n").times_s, {0, 0.005, 0.01});

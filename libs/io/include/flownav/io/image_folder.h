@@ -14,7 +14,8 @@ struct FrameTimes {
     std::filesystem::path file;     ///< empty: a list in the folder or its parent
     std::optional<double> rate_hz;  ///< when set, no file is searched for
     double default_rate_hz = 25.0;
-    std::optional<TimeUnit> unit = std::nullopt;  ///< of the times in the file or in the names; empty: recognised
+    std::optional<TimeUnit> unit =
+        std::nullopt;  ///< of the times in the file or in the names; empty: recognised
 };
 
 struct ImageSchedule;

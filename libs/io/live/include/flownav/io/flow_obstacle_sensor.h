@@ -37,8 +37,9 @@ struct EndOfInput : std::runtime_error {
 ///     end_wait_s     seconds from the end of the input to the final exception; default 5
 ///
 /// Time stamps are the grabber's for live cameras and streams, the recorded ones for rawlogs, and
-/// start_time_s and the stamps of the container, or i / rate_hz, for videos and folders. Stereo folders: only the left images are used. Images
-/// are published embedded, never as external files. Unknown keys and grab_decimation > 1 are errors.
+/// start_time_s and the stamps of the container, or i / rate_hz, for videos and folders. Stereo folders: only
+/// the left images are used. Images are published embedded, never as external files. Unknown keys and
+/// grab_decimation > 1 are errors.
 ///
 /// At the end of its input the sensor appends a CObservationComment with the kind of the end. When the input
 /// failed (device gone, damaged file) the state becomes ssError at once, with a message in the log. After
