@@ -4,6 +4,7 @@
 
 #include "flownav/cli/command_output.h"
 #include "flownav/core/version.h"
+#include "flownav/io/kitti.h"
 #include "flownav/math/units.h"
 
 namespace flownav {
@@ -11,37 +12,57 @@ namespace {
 
 constexpr auto help = R"(Makes a rawlog of a data set, of pictures or of a video.
 
-flownav-import kitti-odometry DIR SEQ     --output F.rawlog [--height-m H] [--pitch-deg P] [--roll-deg R] [--forward-m D]
-flownav-import kitti-raw DATEDIR DRIVE    --output F.rawlog [--rate HZ] [--height-m H] [--pitch-deg P] [--roll-deg R] [--forward-m D]
-flownav-import images DIR --camera C.ini  --output F.rawlog [--rate HZ | --times T.csv] [--interlaced top_first|bottom_first]
+flownav-import kitti-odometry DIR SEQ     --output F.rawlog [--height-m H] [--pitch-deg P] [--roll-deg R] [--yaw-deg Y]
+                                          [--forward-m D]
+flownav-import kitti-raw DATEDIR DRIVE    --output F.rawlog [--rate HZ] [--height-m H] [--pitch-deg P] [--roll-deg R]
+                                          [--yaw-deg Y] [--forward-m D]
+flownav-import tum DIR    --camera C.ini  --output F.rawlog [--times-unit UNIT]
+flownav-import euroc DIR  --camera C.ini  --output F.rawlog [--times-unit UNIT]
+flownav-import images DIR --camera C.ini  --output F.rawlog [--rate HZ | --times T.csv] [--times-unit UNIT]
+                                          [--interlaced top_first|bottom_first]
 flownav-import video FILE --camera C.ini  --output F.rawlog [--rate HZ] [--interlaced top_first|bottom_first]
 
   kitti-odometry    DIR/sequences/SEQ/{image_0/*.png, calib.txt, times.txt}; DIR/poses/SEQ.txt becomes ground truth
   kitti-raw         DATEDIR/calib_cam_to_cam.txt, DATEDIR/DRIVE/image_0N/data/*.png; times from timestamps.txt when
-                    there, ground truth from oxts when there. DRIVE: the folder, or its part after "drive_", as 0005
-  images            png, jpg, bmp, pgm or tif, in the order of their names; colour becomes grey
-  video             whatever OpenCV can read; colour becomes grey
+                    there, ground truth from oxts when there. DRIVE: the folder, or its part after "drive_", as 0005.
+                    Drives _sync and, where the calibration holds K and D, _extract
+  tum               DIR/rgb.txt and the images it lists; DIR/groundtruth.txt becomes ground truth
+  euroc             DIR/mav0/cam0/{data.csv, data/*.png}; sensor.yaml gives the intrinsics that C.ini leaves open,
+                    state_groundtruth_estimate0 becomes ground truth
+  images            png, jpg, bmp, pgm, ppm, tif or webp; colour becomes grey, 10 to 16 bits become 8. A folder of the
+                    kind tum or euroc is recognised
+  video             whatever FFmpeg can read; colour becomes grey, a rotation tag is followed
 
   --output F.rawlog            the rawlog; it appears when it is complete
-  --height-m, --pitch-deg, --roll-deg, --forward-m
-                               KITTI's camera: over the ground (default 1.65), looking down (0), tilted to its right
-                               (0), ahead of the rear axle (1.1)
+  --height-m, --pitch-deg, --roll-deg, --yaw-deg, --forward-m
+                               KITTI's camera: over the ground, looking down, tilted to its right, looking to the left,
+                               ahead of the rear axle; default: as measured for the day of the drive, else 1.65, 0, 0,
+                               0, 1.1
   --camera C.ini               section [camera]: fx_px, fy_px, cx_px, cy_px, height_m, pitch_deg, and what else is
                                known; for interlaced pictures those of the whole frame
-  --rate HZ                    images a second, where the images have no times: default 25, KITTI 10, a video its own
-  --times T.csv                times in seconds, one a row, in the order of the images: the column timestamp_s,
-                               timestamp, time_s or time of the header, or the first column when there is no header.
-                               Without --times and --rate, times.txt or log.csv in or beside DIR is taken when there.
+  --rate HZ                    images a second: needed for a video without time stamps, instead of the stamps of
+                               others; of a folder without times (default 25; KITTI 10), where the numbers in the names
+                               count the images
+  --times T.csv                times of the images, one a row: the column timestamp, time, stamp ... of the header,
+                               such as timestamp_s, time_ms or "timestamp [ns]", else the first with numbers or dates.
+                               Rows belong to the images that a column names (filename, file, image ...) or numbers
+                               (index, frame ...), else to those in the order of the names. Without --times and --rate,
+                               times.txt, log.csv, timestamps.txt, data.csv or rgb.txt in or beside DIR is taken when
+                               there, else the names when they are times (1403636579763555584.png)
+  --times-unit s|ms|us|ns      unit of these times, or of the names that are times; default: what the header says or
+                               what makes the distances of the images usual ones
                                A column gyro_z_degps or gyro_z_radps, > 0 to the left, becomes a CObservationIMU: the
                                mean rate from its row to the next, dated half-way
   --interlaced ORDER           every image is two woven fields; they are written as two images, half a period apart
   --quiet                      no progress and no closing line
   --help, --version            print this text, or the version, and exit
 
+What was recognised, assumed or mended is told in one sentence each, with status 0.
+
 Exit status:
   0  fine
-  1  bad usage or configuration, or no such data set; nothing was written
-  2  some images could not be read; all others were written
+  1  bad usage or configuration, no such data set, or images and times that cannot be matched; nothing was written
+  2  part of the recording is missing or could not be read; all the rest was written
   3  output could not be written
 )";
 
@@ -53,6 +74,8 @@ struct Subcommand {
 
 constexpr Subcommand subcommands[] = {{"kitti-odometry", ImportKind::KittiOdometry, 2},
                                       {"kitti-raw", ImportKind::KittiRaw, 2},
+                                      {"tum", ImportKind::Tum, 1},
+                                      {"euroc", ImportKind::Euroc, 1},
                                       {"images", ImportKind::Images, 1},
                                       {"video", ImportKind::Video, 1}};
 
@@ -74,17 +97,19 @@ struct Arguments {
           output("", "output", "", false, "", "F.rawlog", command),
           camera("", "camera", "", false, "", "C.ini", command),
           times("", "times", "", false, "", "T.csv", command),
+          times_unit("", "times-unit", "", false, "", "s|ms|us|ns", command),
           interlaced("", "interlaced", "", false, "", "top_first|bottom_first", command),
           height("", "height-m", "", false, "1.65", "H", command),
           pitch("", "pitch-deg", "", false, "0", "P", command),
           roll("", "roll-deg", "", false, "0", "R", command),
+          yaw("", "yaw-deg", "", false, "0", "Y", command),
           forward("", "forward-m", "", false, "1.1", "D", command),
           rate("", "rate", "", false, 0.0, "HZ", command),
           quiet("", "quiet", "", command) {}
 
     using Text = TCLAP::ValueArg<std::string>;
     TCLAP::UnlabeledMultiArg<std::string> words;
-    Text output, camera, times, interlaced, height, pitch, roll, forward;
+    Text output, camera, times, times_unit, interlaced, height, pitch, roll, yaw, forward;
     TCLAP::ValueArg<double> rate;
     TCLAP::SwitchArg quiet;
 };
@@ -92,7 +117,7 @@ struct Arguments {
 /// Describes missing arguments, or arguments of another subcommand; empty when they are valid.
 std::string complaint(Arguments& a, const Subcommand* subcommand) {
     if (subcommand == nullptr)
-        return "the first argument has to be kitti-odometry, kitti-raw, images or video";
+        return "the first argument has to be kitti-odometry, kitti-raw, tum, euroc, images or video";
     const std::string name = subcommand->name;
     const ImportKind kind = subcommand->kind;
     if (a.words.getValue().size() != subcommand->sources + 1) {
@@ -103,26 +128,46 @@ std::string complaint(Arguments& a, const Subcommand* subcommand) {
     if (is_kitti(kind) && (a.camera.isSet() || a.interlaced.isSet())) {
         return name + " knows neither --camera nor --interlaced: KITTI brings its calibration";
     }
+    const bool listed = kind == ImportKind::Tum || kind == ImportKind::Euroc;
     if (a.times.isSet() && kind != ImportKind::Images) return "--times is for images only";
+    if (a.times_unit.isSet() && kind != ImportKind::Images && !listed)
+        return "--times-unit is for images, tum and euroc only";
+    if (listed && a.rate.isSet()) return name + " has times of its own, no --rate";
     if (a.times.isSet() && a.rate.isSet()) return "give --times or --rate, not both";
     if (a.rate.isSet() && kind == ImportKind::KittiOdometry) return name + " has times of its own, no --rate";
-    const bool mount = a.height.isSet() || a.pitch.isSet() || a.roll.isSet() || a.forward.isSet();
+    const bool mount =
+        a.height.isSet() || a.pitch.isSet() || a.roll.isSet() || a.yaw.isSet() || a.forward.isSet();
     if (mount && !is_kitti(kind)) return name + " takes the camera's place from --camera C.ini";
     return "";
 }
 
-CameraMount mount_of(Arguments& a) {
+/// Mount of KITTI's camera 0: as measured on the day of the drive, or as the options say.
+CameraMount mount_of(Arguments& a, const ImportOptions& options) {
+    const bool raw = options.kind == ImportKind::KittiRaw;
+    const std::string day = std::filesystem::weakly_canonical(options.source).filename().string();
+    CameraMount mount = io::kitti_mount(raw ? day : options.part);
     config::Config config;
-    config::set_config_value(config, "camera.height_m", a.height.getValue());
-    config::set_config_value(config, "camera.pitch_deg", a.pitch.getValue());
-    config::set_config_value(config, "camera.roll_deg", a.roll.getValue());
-    config::set_config_value(config, "camera.forward_m", a.forward.getValue());
-    CameraMount mount;
-    mount.height_m = config.camera.height_m.value();
-    mount.pitch_rad = config.camera.pitch_deg.value() * degree_rad;
-    mount.roll_rad = config.camera.roll_deg.value() * degree_rad;
-    mount.forward_m = config.camera.forward_m.value();
+    const auto set = [&config](Arguments::Text& option, const char* key, const std::optional<double>& value,
+                               double unit, double& member) {
+        if (!option.isSet()) return;
+        config::set_config_value(config, key, option.getValue());
+        member = value.value() * unit;
+    };
+    const config::CameraConfig& camera = config.camera;
+    set(a.height, "camera.height_m", camera.height_m, 1.0, mount.height_m);
+    set(a.pitch, "camera.pitch_deg", camera.pitch_deg, degree_rad, mount.pitch_rad);
+    set(a.roll, "camera.roll_deg", camera.roll_deg, degree_rad, mount.roll_rad);
+    set(a.yaw, "camera.yaw_deg", camera.yaw_deg, degree_rad, mount.yaw_rad);
+    set(a.forward, "camera.forward_m", camera.forward_m, 1.0, mount.forward_m);
     return mount;
+}
+
+std::optional<io::TimeUnit> times_unit_of(Arguments& a) {
+    if (!a.times_unit.isSet()) return std::nullopt;
+    const auto unit = io::parse_time_unit(a.times_unit.getValue());
+    if (!unit)
+        throw config::ConfigError("--times-unit " + a.times_unit.getValue() + ": must be s, ms, us or ns");
+    return unit;
 }
 
 config::CameraConfig camera_of(Arguments& a) {
@@ -139,6 +184,7 @@ ImportOptions options_of(Arguments& a, const Subcommand& subcommand) {
     if (subcommand.sources > 1) options.part = a.words.getValue()[2];
     options.output = a.output.getValue();
     options.times = a.times.getValue();
+    options.times_unit = times_unit_of(a);
     options.quiet = a.quiet.getValue();
     if (a.rate.isSet()) options.rate_hz = a.rate.getValue();
     if (a.rate.isSet() && !(a.rate.getValue() > 0.001 && a.rate.getValue() < 1e5)) {
@@ -146,7 +192,7 @@ ImportOptions options_of(Arguments& a, const Subcommand& subcommand) {
                                   ": must be 0.001 .. 100000 images a second");
     }
     if (is_kitti(subcommand.kind)) {
-        options.mount = mount_of(a);
+        options.mount = mount_of(a, options);
     } else {
         options.camera = camera_of(a);
     }

@@ -7,10 +7,11 @@
 
 #include "flownav/config/config.h"
 #include "flownav/core/camera_model.h"
+#include "flownav/io/time_unit.h"
 
 namespace flownav {
 
-enum class ImportKind { KittiOdometry, KittiRaw, Images, Video };
+enum class ImportKind { KittiOdometry, KittiRaw, Tum, Euroc, Images, Video };
 
 /// Parsed command line of flownav-import.
 struct ImportOptions {
@@ -22,6 +23,7 @@ struct ImportOptions {
     config::CameraConfig camera;  ///< camera of pictures and videos
     std::optional<double> rate_hz;
     std::filesystem::path times;
+    std::optional<io::TimeUnit> times_unit;
     bool quiet = false;
 };
 

@@ -29,5 +29,5 @@ import() {
     "$program" "${@:2}" --output "$rawlog" --quiet
 }
 import kitti_00.rawlog kitti-odometry "$data/kitti-odometry" 00
-import kitti_braking.rawlog kitti-raw "$data/kitti-raw/2011_09_26" braking --height-m 1.66 --roll-deg -0.2
+import kitti_braking.rawlog kitti-raw "$data/kitti-raw/2011_09_26" braking
 import donkeycar.rawlog images "$data/donkeycar-gyro/images" --camera "$root/ini/donkeycar.ini"

@@ -44,6 +44,8 @@ LIBRARIES = {
     r"openssl/": r"OpenSSL::Crypto",
     r"tinyxml2\.h": r"tinyxml2::tinyxml2",
     r"isa-l/": r"isal",
+    r"libav(codec|format|util)/": r"av(codec|format|util)",
+    r"libswscale/": r"swscale",
     r"zlib\.h": r"ZLIB::ZLIB",
 }
 # Of the language, the processor and the system.
@@ -60,7 +62,7 @@ def libraries_in(cmake_text):
     found = {}
     for body in re.findall(r"flownav_library\(((?:[^()]|\([^()]*\))*)\)", code):
         name = re.search(r"NAME\s+(\w+)", body)[1]
-        found[name] = set(re.findall(r"\b(?:\w+::\w+|opencv_\w+|isal)\b", body))
+        found[name] = set(re.findall(r"\b(?:\w+::\w+|opencv_\w+|isal|av(?:codec|format|util)|swscale)\b", body))
     return found
 
 

@@ -59,6 +59,8 @@ OF_PROGRAM = {
     "g++": {"build-essential"},
     "isa-l": {"libisal-dev"},
     "libavfilter": {"libavfilter-dev"},
+    "libavformat": {"libavformat-dev"},
+    "libswscale": {"libswscale-dev"},
     "parallel": {"parallel"},
     "python3": {"python3"},
     "rawlog-edit": {"mrpt-apps"},

@@ -1,55 +1,34 @@
 #include "flownav/io/video_file.h"
 
-#include <cmath>
-#include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
 #include <utility>
 
 #include "flownav/io/camera_conversion.h"
-#include "flownav/io/rawlog_reader.h"
+#include "video_images.h"
 
 namespace flownav::io {
 
-struct VideoFile::Capture {
-    cv::VideoCapture video;
-};
-
 VideoFile::VideoFile(const std::filesystem::path& file, config::CameraConfig camera,
                      std::optional<double> rate_hz)
-    : capture_(std::make_unique<Capture>()), camera_(std::move(camera)) {
-    if (!std::filesystem::exists(file)) throw InputError(file.string() + ": no such file");
-    if (!std::filesystem::is_regular_file(file)) throw InputError(file.string() + ": is not a file");
-    if (!capture_->video.open(file.string(), cv::CAP_FFMPEG)) {
-        throw InputError(file.string() + ": cannot be read as a video");
-    }
-    rate_hz_ = rate_hz.value_or(capture_->video.get(cv::CAP_PROP_FPS));
-    if (!(rate_hz_ > 0) || !std::isfinite(rate_hz_)) {
-        throw InputError(file.string() + ": does not tell its frame rate; give it with --rate");
-    }
-}
+    : images_(std::make_unique<VideoImages>(file, rate_hz, "--rate")), camera_(std::move(camera)) {}
 
 VideoFile::~VideoFile() = default;
 
 std::size_t VideoFile::size() const {
-    const double frames = capture_->video.get(cv::CAP_PROP_FRAME_COUNT);
-    return frames > 0 && frames < 1e9 ? static_cast<std::size_t>(frames) : 0;
+    return images_->size();
 }
 
 std::optional<SequenceFrame> VideoFile::next() {
-    cv::Mat image;
-    if (!capture_->video.read(image) || image.empty()) return std::nullopt;
-    const auto grey = std::make_shared<cv::Mat>();
-    if (image.channels() == 1) {
-        *grey = image.clone();
-    } else {
-        cv::cvtColor(image, *grey, cv::COLOR_BGR2GRAY);
+    auto field = images_->next();
+    if (field) {
+        field->camera = camera_model(camera_, field->image.width_px, field->image.height_px);
+        return SequenceFrame{*field, std::nullopt};
     }
-    Field field;
-    field.timestamp_s = static_cast<double>(at_++) / rate_hz_;
-    field.image = {grey->data, grey->cols, grey->rows, static_cast<std::ptrdiff_t>(grey->step)};
-    field.owner = grey;
-    field.camera = camera_model(camera_, grey->cols, grey->rows);
-    return SequenceFrame{field, std::nullopt};
+    if (std::exchange(told_, true)) return std::nullopt;
+    for (const std::string& note : images_->notes()) add_note(note);
+    for (const std::string& problem : images_->problems()) add_problem(problem);
+    const std::string advice = images_->advice(camera_.interlaced);
+    if (!advice.empty()) add_note(advice);
+    return std::nullopt;
 }
 
 }  // namespace flownav::io

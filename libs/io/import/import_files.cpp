@@ -4,10 +4,9 @@
 #include <cctype>
 #include <cmath>
 #include <fstream>
-#include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
-#include "flownav/io/picture_file.h"
+#include "data_table.h"
 #include "flownav/io/rawlog_reader.h"
 
 namespace flownav::io {
@@ -16,11 +15,12 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_image(const fs::path& file) {
-    static constexpr const char* endings[] = {".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".tif", ".tiff"};
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return std::find(std::begin(endings), std::end(endings), ending) != std::end(endings);
+    const std::string name = file.filename().string();
+    return name.front() != '.' && has_picture_ending(name);
+}
+
+bool starts_with(const std::string& text, const char* beginning) {
+    return text.rfind(beginning, 0) == 0;
 }
 
 std::size_t end_of_digits(const std::string& text, std::size_t begin) {
@@ -54,6 +54,13 @@ bool natural_less(const std::string& a, const std::string& b) {
 
 }  // namespace
 
+bool has_picture_ending(const std::string& name) {
+    static constexpr const char* endings[] = {".png", ".jpg", ".jpeg", ".bmp",  ".pgm",
+                                              ".ppm", ".pnm", ".tif",  ".tiff", ".webp"};
+    const std::string ending = lower_case(fs::path(name).extension().string());
+    return std::find(std::begin(endings), std::end(endings), ending) != std::end(endings);
+}
+
 void require_directory(const fs::path& directory) {
     if (!fs::exists(directory)) throw InputError(directory.string() + ": no such folder");
     if (!fs::is_directory(directory)) throw InputError(directory.string() + ": is not a folder");
@@ -66,7 +73,7 @@ std::vector<fs::path> list_images(const fs::path& directory) {
         if (entry.is_regular_file() && is_image(entry.path())) images.push_back(entry.path());
     }
     if (images.empty()) {
-        throw InputError(directory.string() + ": holds no images (png, jpg, bmp, pgm, tif)");
+        throw InputError(directory.string() + ": holds no images (png, jpg, bmp, pgm, ppm, tif, webp)");
     }
     std::sort(images.begin(), images.end(), [](const fs::path& a, const fs::path& b) {
         return natural_less(a.filename().string(), b.filename().string());
@@ -74,23 +81,25 @@ std::vector<fs::path> list_images(const fs::path& directory) {
     return images;
 }
 
-std::optional<Field> load_grey(const fs::path& file) {
-    const auto pixels = std::make_shared<cv::Mat>(read_picture(file, cv::IMREAD_GRAYSCALE));
-    if (pixels->empty()) return std::nullopt;
-    Field field;
-    field.image = {pixels->data, pixels->cols, pixels->rows, static_cast<std::ptrdiff_t>(pixels->step)};
-    field.owner = pixels;
-    return field;
+std::vector<TextLine> read_text_lines(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || fs::is_directory(file)) throw InputError(file.string() + ": cannot be read");
+    std::vector<TextLine> lines;
+    std::size_t number = 0;
+    for (std::string line; std::getline(stream, line);) {
+        if (++number == 1 && starts_with(line, "\xEF\xBB\xBF")) line.erase(0, 3);
+        if (number == 1 && (starts_with(line, "\xFF\xFE") || starts_with(line, "\xFE\xFF")))
+            throw InputError(file.string() + ": is UTF-16 text; save it as UTF-8");
+        while (!line.empty() && line.back() == '\r') line.pop_back();
+        if (line.find_first_not_of(" \t\r") != std::string::npos) lines.push_back({number, line});
+    }
+    return lines;
 }
 
 std::vector<std::string> read_lines(const fs::path& file) {
-    std::ifstream stream(file);
-    if (!stream || fs::is_directory(file)) throw InputError(file.string() + ": cannot be read");
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);) {
-        if (line.find_first_not_of(" \t\r") != std::string::npos) lines.push_back(line);
-    }
-    return lines;
+    std::vector<std::string> texts;
+    for (TextLine& line : read_text_lines(file)) texts.push_back(std::move(line.text));
+    return texts;
 }
 
 std::vector<double> numbers_of(const std::string& line) {
@@ -106,34 +115,6 @@ std::vector<double> numbers_of(const std::string& line) {
         if (*end != '\0' || !std::isfinite(numbers.back())) return {};
     }
     return numbers;
-}
-
-std::map<std::string, std::vector<double>> read_kitti_calibration(const fs::path& file) {
-    std::map<std::string, std::vector<double>> calibration;
-    for (const std::string& line : read_lines(file)) {
-        const auto colon = line.find(':');
-        if (colon == std::string::npos) continue;
-        auto numbers = numbers_of(line.substr(colon + 1));
-        if (!numbers.empty()) calibration[line.substr(0, colon)] = std::move(numbers);
-    }
-    return calibration;
-}
-
-CameraModel kitti_camera(const std::map<std::string, std::vector<double>>& calibration,
-                         const std::string& key, const fs::path& file, const CameraMount& mount) {
-    const auto found = calibration.find(key);
-    if (found == calibration.end() || found->second.size() != 12 || !(found->second[0] > 0)) {
-        throw InputError(file.string() + ": holds no projection matrix " + key + " (12 numbers)");
-    }
-    const std::vector<double>& P = found->second;
-    CameraModel camera;
-    camera.fx_px = P[0];
-    camera.fy_px = P[5];
-    camera.cx_px = P[2];
-    camera.cy_px = P[6];
-    camera.mount = mount;
-    camera.mount.left_m += P[3] / P[0];
-    return camera;
 }
 
 }  // namespace flownav::io

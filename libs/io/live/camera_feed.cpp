@@ -1,6 +1,5 @@
 #include "camera_feed.h"
 
-#include <mrpt/core/Clock.h>
 #include <mrpt/core/exceptions.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationImage.h>
@@ -8,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "file_feeds.h"
 #include "flownav/io/rawlog_reader.h"
 
 namespace flownav::io {
@@ -31,7 +31,7 @@ CameraFeed::CameraFeed(ProducerSettings settings) : settings_(std::move(settings
 
 void CameraFeed::open() {
     try {
-        camera_.loadConfig(section(), "camera");
+        camera_.loadConfig(camera_section(settings_), "camera");
         camera_.initialize();
     } catch (const std::exception& error) {
         throw InputError(settings_.source + ": cannot be opened: " + plain_message(error));
@@ -39,7 +39,6 @@ void CameraFeed::open() {
 }
 
 CObservation::Ptr CameraFeed::next() {
-    if (at_end()) return nullptr;
     CObservation::Ptr observation;
     try {
         observation = picture();
@@ -48,17 +47,12 @@ CObservation::Ptr CameraFeed::next() {
     }
     if (!observation) return nullptr;
     observation->sensorLabel = settings_.config.camera.camera_label;
-    if (const auto time_s = timestamp_s()) observation->timestamp = mrpt::Clock::fromDouble(*time_s);
     ++images_;
     return observation;
 }
 
-void CameraFeed::run_dry() {
-    fail(place() + ": no image comes any more: device gone, or end of the stream");
-}
-
 std::string CameraFeed::place() const {
-    return settings_.source + ", after " + std::to_string(images_) + (images_ == 1 ? " image" : " images");
+    return place_after(settings_.source, images_);
 }
 
 CObservation::Ptr CameraFeed::picture() {
@@ -69,7 +63,7 @@ CObservation::Ptr CameraFeed::picture() {
         if (observation && has_picture(*observation)) return observation;
     }
     if (out.empty() || !out.front()) {
-        run_dry();
+        fail(place() + ": no image comes any more: device gone, or end of the stream");
     } else {
         fail(settings_.source + ": gives " + out.front()->GetRuntimeClass()->className +
              ", which holds no single picture");
@@ -77,11 +71,15 @@ CObservation::Ptr CameraFeed::picture() {
     return nullptr;
 }
 
-mrpt::config::CConfigFileMemory CameraFeed::section() const {
+mrpt::config::CConfigFileMemory camera_section(const ProducerSettings& settings) {
     std::string text = "[camera]\nprocess_rate = 1\n";
-    for (const auto& [key, value] : settings_.camera_keys)
+    for (const auto& [key, value] : settings.camera_keys)
         text.append(key).append(" = ").append(value) += '\n';
     return {text};
+}
+
+std::string place_after(const std::string& source, std::uint64_t images) {
+    return source + ", after " + std::to_string(images) + (images == 1 ? " image" : " images");
 }
 
 std::unique_ptr<FieldFeed> open_camera(const ProducerSettings& settings) {
@@ -89,14 +87,10 @@ std::unique_ptr<FieldFeed> open_camera(const ProducerSettings& settings) {
     const std::string& source = settings.source;
     const bool file_url = source.rfind(scheme, 0) == 0;
     const bool stream = !file_url && source.find("://") != std::string::npos;
-    std::unique_ptr<CameraFeed> feed;
-    if (settings.grabber_type == "image_dir") {
-        feed = make_folder_feed(settings);
-    } else if (settings.grabber_type == "ffmpeg" && !stream) {
-        feed = make_video_feed(settings, file_url ? source.substr(scheme.size()) : source);
-    } else {
-        feed = std::make_unique<CameraFeed>(settings);
-    }
+    if (settings.grabber_type == "image_dir") return make_folder_feed(settings);
+    if (settings.grabber_type == "ffmpeg" && !stream)
+        return make_video_feed(settings, file_url ? source.substr(scheme.size()) : source);
+    auto feed = std::make_unique<CameraFeed>(settings);
     feed->open();
     return feed;
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "flownav/io/producer_settings.h"
 
@@ -26,6 +27,9 @@ class FieldFeed {
 
     /// Number of whole rawlog objects read; 0 for other sources.
     virtual std::uint64_t objects() const { return 0; }
+
+    /// What was recognised or mended so far, one sentence each.
+    virtual std::vector<std::string> notes() const { return {}; }
 
     /// Reason of the end; empty at the regular end of a file.
     const std::string& error() const { return error_; }

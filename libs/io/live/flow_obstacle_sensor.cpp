@@ -96,6 +96,7 @@ void CFlowObstacleSensor::add(Batch& batch, const mrpt::obs::CObservation::Ptr& 
 }
 
 void CFlowObstacleSensor::end(Batch& batch) {
+    for (const std::string& note : fields_->notes()) MRPT_LOG_WARN_STREAM(note);
     const std::string fields = std::to_string(fields_->counts().fields) + " fields";
     if (error().empty()) {
         end_text_ = settings_.source + " was read to its end: " + fields;

@@ -79,6 +79,10 @@ const std::string& LiveFields::error() const {
     return impl_->error;
 }
 
+std::vector<std::string> LiveFields::notes() const {
+    return impl_->feed->notes();
+}
+
 const ProducerSettings& LiveFields::settings() const {
     return impl_->settings;
 }

@@ -119,6 +119,7 @@ TimedPath read_path(const fs::path& file, const std::optional<PathSpeed>& speed)
     if (!in || fs::is_directory(file)) throw PathError(file.string() + ": cannot be opened");
     std::string line;
     std::getline(in, line);
+    if (line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);  // a byte order mark
     const Columns columns = read_header(line, file);
     if (!columns[0] && !speed) refuse(file, 1, "without the column time_s a speed must be given");
     std::vector<PathPoint> points;

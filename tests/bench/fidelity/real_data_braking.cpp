@@ -2,7 +2,6 @@
 
 #include "flownav/config/make_state.h"
 #include "flownav/io/kitti.h"
-#include "flownav/math/units.h"
 #include "lidar_pictures.h"
 #include "lidar_score.h"
 #include "markdown.h"
@@ -28,14 +27,9 @@ The second table says what became of the blocks; "above tau" is judged from the 
 
 )";
 
-/// ini/kitti.ini with the changes for raw drives that its comment describes.
 config::Config raw_config() {
     config::Config config;
     config::load_config_file(config, std::string(FLOWNAV_INI_DIR) + "/kitti.ini");
-    config::set_config_value(config, "camera.height_m", "1.66");
-    config::set_config_value(config, "camera.pitch_deg", "0");
-    config::set_config_value(config, "camera.roll_deg", "-0.2");
-    config::set_config_value(config, "camera.yaw_deg", "0");
     return config;
 }
 
@@ -89,11 +83,7 @@ std::string fates_table(const LidarScore& score) {
 
 LidarScore braking_score(const fs::path& folder, const RealDataOptions& options) {
     const config::Config config = raw_config();
-    CameraMount mount;
-    mount.height_m = config.camera.height_m.value();
-    mount.roll_rad = config.camera.roll_deg.value() * degree_rad;
-    mount.forward_m = config.camera.forward_m.value();
-    io::KittiRaw images(folder, drive, rate_hz, mount);
+    io::KittiRaw images(folder, drive, rate_hz, io::kitti_mount("2011_09_26"));
     pipeline::State state = config::make_state(config);
     std::optional<LidarJudge> judge;
     std::optional<KittiLidar> lidar;

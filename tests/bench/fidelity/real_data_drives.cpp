@@ -38,16 +38,6 @@ config::Config config_of(const std::string& ini) {
     return config;
 }
 
-CameraMount mount_of(const config::CameraConfig& camera) {
-    CameraMount mount;
-    mount.height_m = camera.height_m.value();
-    mount.pitch_rad = camera.pitch_deg.value() * degree_rad;
-    mount.roll_rad = camera.roll_deg.value() * degree_rad;
-    mount.yaw_rad = camera.yaw_deg.value() * degree_rad;
-    mount.forward_m = camera.forward_m.value();
-    return mount;
-}
-
 std::vector<evaluation::FieldRow> drive_through(io::ImageSequence& images, const config::Config& config,
                                                 evaluation::PoseTrack& truth) {
     pipeline::State state = config::make_state(config);
@@ -108,7 +98,7 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
 
 OdometryScore odometry_score(const fs::path& folder) {
     const config::Config config = config_of("kitti.ini");
-    io::KittiOdometry images(folder, "00", mount_of(config.camera));
+    io::KittiOdometry images(folder, "00", io::kitti_mount("00"));
     evaluation::PoseTrack truth;
     const auto rows = drive_through(images, config, truth);
     return {ok_share(rows), first_ok(rows), evaluation::compare(rows, truth)};

@@ -74,6 +74,10 @@ TEST(ImportApp, BadUsageIsStatusOneAndPointsToHelp) {
         {"video", "a", "--camera", "C.ini", "--output", "o", "--times", "t.csv"},
         {"images", "a", "--camera", "C.ini", "--output", "o", "--times", "t.csv", "--rate", "5"},
         {"images", "a", "--unknown"},
+        {"video", "a", "--camera", "C.ini", "--output", "o", "--times-unit", "ms"},
+        {"tum", "a", "--output", "o"},
+        {"tum", "a", "--camera", "C.ini", "--output", "o", "--rate", "5"},
+        {"euroc", "a", "b", "--camera", "C.ini", "--output", "o"},
         {"video", "a", "--camera", "C.ini", "--output", "o", "--rate", "fast"},
     };
     for (const auto& arguments : cases) {
@@ -143,6 +147,33 @@ TEST(ImportApp, UnwritableOutputIsStatusThree) {
     }
 }
 
+TEST(ImportApp, TheUnitOfTimesIsOneOfFour) {
+    const auto folder = picture_folder();
+    const Outcome outcome =
+        run({"images", (folder / "images").string(), "--camera", (folder / "C.ini").string(), "--output",
+             (folder / "o").string(), "--times-unit", "hours"});
+    EXPECT_EQ(outcome.status, 1);
+    expect_names(outcome.error, {"--times-unit hours", "s, ms, us or ns"});
+}
+
+TEST(ImportApp, WhatIsRecognisedIsToldWithStatusZeroAndWhatIsMissingWithStatusTwo) {
+    const auto folder = picture_folder();
+    const auto import = [&](const std::string& times) {
+        std::ofstream(folder / "times.txt") << times;
+        return run({"images", (folder / "images").string(), "--camera", (folder / "C.ini").string(),
+                    "--output", (folder / "o").string(), "--quiet"});
+    };
+    const Outcome recognised = import("0\n40\n80\n");
+    EXPECT_EQ(recognised.status, 0);
+    expect_names(recognised.error, {"flownav-import: ", "milliseconds"});
+    const Outcome missing = import("0\n0.04\n0.08\n0.12\n");
+    EXPECT_EQ(missing.status, 2);
+    expect_names(missing.error, {"1 of its 4 times have no image", "the other 3 images were written"});
+    const Outcome refused = import("0\n0.04\n");
+    EXPECT_EQ(refused.status, 1);
+    expect_names(refused.error, {"2 times for 3 images"});
+}
+
 fs::path data_folder() {
     const char* environment = std::getenv("FLOWNAV_DATA");
     return environment != nullptr ? fs::path(environment) : fs::path(FLOWNAV_DATA_DIR);
@@ -175,6 +206,64 @@ TEST(ImportApp, KittiSequenceHasTheMotionOfTheCar) {
         const double middle = poses[i - 1].pose.yaw + turn / 2;
         const double sideways = -std::sin(middle) * dx + std::cos(middle) * dy;
         EXPECT_NEAR(sideways, 0, std::abs(turn) > 0.017 ? 0.015 : 0.05) << i;
+    }
+}
+
+/// An odd input of the folder "cases", and what has to be said about it.
+struct OddInput {
+    std::vector<std::string> arguments;  ///< paths start from the folder
+    int status = 0;
+    std::uint64_t images = 0;
+    std::vector<const char*> sentence;
+};
+
+std::vector<OddInput> odd_inputs() {
+    const std::vector<std::string> img3 = {"images", "times/img3", "--times"};
+    const auto listed = [&](const std::string& list) {
+        auto arguments = img3;
+        arguments.push_back(list);
+        return arguments;
+    };
+    return {
+        {listed("times/nanoseconds.txt"), 0, 3, {"nanoseconds", "0.04 s apart"}},
+        {listed("times/milliseconds.txt"), 0, 3, {"milliseconds", "0.04 s apart"}},
+        {listed("times/name_first.csv"), 0, 3, {}},
+        {listed("times/euroc_data.csv"), 1, 0, {"names none of the images"}},
+        {listed("times/tum_rgb.txt"), 1, 0, {"names none of the images"}},
+        {{"images", "img_gap"}, 2, 6, {"4 of its 10 times have no image", "numbers in their names"}},
+        {{"images", "euroc/mav0/cam0/data"}, 2, 35, {"5 of its 40 times have no image"}},
+        {{"images", "euroc"}, 2, 35, {"5 of its 40 times have no image"}},
+        {{"euroc", "euroc"}, 2, 35, {"5 of its 40 times have no image"}},
+        {{"kitti-raw", "kitti/2011_09_26", "0001"}, 2, 5, {"no timestamps.txt", "1 of 6 images are missing"}},
+        {{"kitti-raw", "kitti/2011_09_26", "0002"}, 2, 6, {"0000000002.txt", "no ground truth"}},
+        {{"kitti-raw", "kitti/2011_09_26", "0004"}, 1, 0, {"not rectified", "K_02"}},
+        {{"video", "video/phone_portrait.mp4"}, 0, 12, {"turned clockwise by 90 degrees"}},
+        {{"video", "video/raw_small.mjpeg"}, 1, 0, {"raw_small.mjpeg", "--rate"}},
+        {{"video", "grab_video/b30.mp4"}, 0, 30, {}},
+    };
+}
+
+TEST(ImportApp, OddInputsAreMatchedOrRefusedWithASentence) {
+    const fs::path cases = data_folder() / "cases";
+    if (!fs::exists(cases)) GTEST_SKIP() << "no folder " << cases;
+    for (const OddInput& input : odd_inputs()) {
+        const fs::path output = test_folder() / "out.rawlog";
+        std::vector<std::string> arguments = input.arguments;
+        for (std::size_t i = 1; i < arguments.size(); ++i)
+            if (fs::exists(cases / arguments[i])) arguments[i] = (cases / arguments[i]).string();
+        arguments.insert(arguments.end(), {"--output", output.string(), "--quiet"});
+        if (input.arguments.front() != "kitti-raw")
+            arguments.insert(arguments.end(), {"--camera", (cases / "times" / "cam.ini").string()});
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, input.status) << outcome.error;
+        for (const char* part : input.sentence) expect_names(outcome.error, {part});
+        EXPECT_EQ(outcome.error.empty(), input.sentence.empty()) << outcome.error;
+        EXPECT_EQ(fs::exists(output), input.images > 0);
+        if (input.images == 0) continue;
+        io::RawlogReader reader(output);
+        io::FieldSource source(reader, {});
+        while (source.next()) continue;
+        EXPECT_EQ(source.counts().fields, input.images) << input.arguments[1];
     }
 }
 

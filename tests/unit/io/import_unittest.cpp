@@ -236,7 +236,7 @@ TEST(ImageFolder, NumbersInNamesOrderAsNumbers) {
     const int order[] = {1, 2, 9, 10};
     for (std::size_t i = 0; i < 4; ++i) {
         EXPECT_EQ(fields[i].image.at(0, 0), order[i]);
-        EXPECT_NEAR(fields[i].timestamp_s, static_cast<double>(i) / 20, 1e-6);
+        EXPECT_NEAR(fields[i].timestamp_s, (order[i] - 1) / 20.0, 1e-6);
     }
 }
 
@@ -263,9 +263,12 @@ TEST(ImageFolder, TimesBesideTheFolderAreTaken) {
 }
 
 TEST(ImageFolder, TimesFileWithoutHeaderUsesTheFirstColumn) {
-    const auto file = test_folder() / "times.txt";
-    write_bytes(file, "0.5 7\n0.75 8\n");
-    EXPECT_EQ(read_times_file(file), (std::vector<double>{0.5, 0.75}));
+    const auto folder = test_folder();
+    for (int i = 0; i < 2; ++i) write_picture(folder / (std::to_string(i) + ".png"), i);
+    write_bytes(folder / "times.txt", "0.5 7\n0.75 8\n");
+    ImageFolder sequence(folder, small_camera(), {});
+    EXPECT_NEAR(sequence.next()->field.timestamp_s, 0.5, 1e-12);
+    EXPECT_NEAR(sequence.next()->field.timestamp_s, 0.75, 1e-12);
 }
 
 TEST(ImageFolder, AColumnOfTurnRatesBecomesReadingsOfAGyroHalfWayBetweenTheRows) {
@@ -289,7 +292,7 @@ TEST(ImageFolder, AColumnOfTurnRatesBecomesReadingsOfAGyroHalfWayBetweenTheRows)
     EXPECT_EQ(source.counts().gyro, 2U);
     EXPECT_EQ(source.counts().fields, 3U);
     write_bytes(folder / "log.csv", "timestamp_s,gyro_z_radps\n5.0,0.5\n5.1,0.25\n5.3,0\n");
-    EXPECT_NEAR(read_gyro_file(folder / "log.csv").at(0).omega_radps, 0.5, 1e-12);
+    EXPECT_NEAR(ImageFolder(folder / "images", small_camera(), {}).gyro().at(0).omega_radps, 0.5, 1e-12);
     EXPECT_TRUE(ImageFolder(folder / "images", small_camera(), {{}, 10.0}).gyro().empty());
 }
 
@@ -300,8 +303,8 @@ TEST(ImageFolder, UnusableTimesAreNamed) {
         write_bytes(folder / "t.csv", text);
         return input_error<ImageFolder>(folder, small_camera(), FrameTimes{folder / "t.csv", std::nullopt});
     };
-    expect_names(error_with("0\n1\n"), {"t.csv", "2 times for 3 images"});
-    expect_names(error_with("0\n1\n1\n"), {"t.csv", "row 3", "not later"});
+    expect_names(error_with("0\n0.5\n"), {"t.csv", "2 times for 3 images"});
+    expect_names(error_with("0\n0.5\n0.5\n"), {"t.csv, line 3", "not later"});
     expect_names(error_with("index,when\n0,1\n"), {"t.csv", "timestamp_s"});
     expect_names(error_with("0\nnever\n2\n"), {"t.csv, line 2"});
     expect_names(error_with(""), {"t.csv", "empty"});

@@ -4,10 +4,12 @@
 #include <mrpt/core/Clock.h>
 
 #include <fstream>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
 #include "flownav/math/units.h"
 #include "producer_samples.h"
+#include "video_samples.h"
 
 namespace flownav::io {
 namespace {
@@ -148,6 +150,63 @@ TEST(LiveFields, ACutVideoGivesWhatItHoldsAndSaysSo) {
     EXPECT_LE(fields, 9U);
     EXPECT_TRUE(says(live.error(), "drive.avi", "cut short"));
     EXPECT_FALSE(live.next()) << "and nothing comes later";
+}
+
+TEST(LiveFields, AVideoIsReadToItsLastImageWithItsOwnTimes) {
+    const fs::path video = producer_folder() / "held_back.mp4";
+    VideoSample sample;
+    sample.b_frames = 2;
+    for (int i = 0; i < 30; ++i) sample.stamps_ms.push_back(40 * i + 7 * (i % 2));
+    if (!write_timed_video(video, noise_images(30), sample))
+        GTEST_SKIP() << "this FFmpeg cannot write " << video;
+    LiveFields live(producer_settings(video_lines(video) + "start_time_s = 100\n"));
+    const auto fields = all_fields(live);
+    ASSERT_EQ(fields.size(), 30U);
+    for (std::size_t i = 0; i < 30; ++i)
+        EXPECT_NEAR(fields[i].timestamp_s, 100 + sample.stamps_ms[i] / 1000.0, 1e-6);
+    EXPECT_TRUE(live.error().empty()) << live.error();
+    EXPECT_TRUE(live.notes().empty());
+}
+
+TEST(LiveFields, ARotationTagOfAVideoIsFollowedAndTold) {
+    const fs::path video = producer_folder() / "portrait.mp4";
+    VideoSample sample;
+    sample.stamps_ms = {0, 40, 80};
+    sample.rotation_deg = 90;
+    if (!write_timed_video(video, noise_images(3), sample))
+        GTEST_SKIP() << "this FFmpeg cannot write " << video;
+    LiveFields live(producer_settings(video_lines(video)));
+    const auto fields = all_fields(live);
+    ASSERT_EQ(fields.size(), 3U);
+    EXPECT_EQ(fields[0].image.width_px, 48);
+    ASSERT_EQ(live.notes().size(), 1U);
+    EXPECT_TRUE(says(live.notes()[0], "turned clockwise by 90"));
+}
+
+TEST(LiveFields, ARawStreamNeedsItsRate) {
+    const fs::path video = producer_folder() / "raw.mjpeg";
+    VideoSample sample;
+    sample.format = "mjpeg";
+    sample.codec = "mjpeg";
+    sample.stamps_ms = {0, 40, 80};
+    if (!write_timed_video(video, noise_images(3), sample))
+        GTEST_SKIP() << "this FFmpeg cannot write " << video;
+    EXPECT_TRUE(says(reason_not_to_open(video_lines(video)), "raw.mjpeg", "rate_hz"));
+    LiveFields live(producer_settings(video_lines(video) + "rate_hz = 10\n"));
+    const auto fields = all_fields(live);
+    ASSERT_EQ(fields.size(), 3U);
+    EXPECT_NEAR(fields[2].timestamp_s, 0.2, 1e-6);
+}
+
+TEST(LiveFields, APictureOfAFolderThatIsCutShortIsAnError) {
+    const fs::path folder = producer_folder();
+    for (int i = 0; i < 3; ++i)
+        cv::imwrite((folder / ("image_00" + std::to_string(i) + ".jpg")).string(), noise_images(1)[0]);
+    fs::resize_file(folder / "image_001.jpg", fs::file_size(folder / "image_001.jpg") / 2);
+    LiveFields live(producer_settings("grabber_type = image_dir\nimage_dir_url = " + folder.string() +
+                                      "\nleft_format = image_%03d.jpg\nrate_hz = 10\n" + calibration_lines));
+    EXPECT_EQ(all_fields(live).size(), 1U);
+    EXPECT_TRUE(says(live.error(), "image_001.jpg", "cut short"));
 }
 
 TEST(LiveFields, AStreamHasTheTimesOfItsGrabberAndFailsWhenItEnds) {

@@ -62,6 +62,11 @@ TEST(ReadPath, TakesColumnsInAnyOrderAndCountsTimesFromTheFirst) {
     EXPECT_NEAR(path.at(0.5).y_m, 2.0, 1e-12);
 }
 
+TEST(ReadPath, SkipsAByteOrderMark) {
+    const auto file = file_with("mark", "\xEF\xBB\xBFtime_s,x_m,y_m,yaw_rad\r\n0,1,2,0\r\n1,2,2,0\r\n");
+    EXPECT_NEAR(read_path(file, std::nullopt).at(0.5).x_m, 1.5, 1e-12);
+}
+
 TEST(ReadPath, KeepsTheSpeedWhereThereAreNoTimes) {
     const auto file =
         file_with("speed", "x_m,y_m,yaw_rad\n0,0,0\n1,0,0\n1,0,0\n1,0,1\n2,1,2.5707963267948966\n");

@@ -34,13 +34,18 @@ class ImageSequence {
     /// Readings of a gyro that come with the images, in the order of their times; empty: there are none.
     virtual std::vector<GyroRate> gyro() const { return {}; }
 
-    /// Messages about images that could not be read, one sentence each.
+    /// Messages about images that could not be read or are missing, one sentence each.
     const std::vector<std::string>& problems() const { return problems_; }
+
+    /// What was recognised, assumed or mended, one sentence each; nothing was lost by it.
+    const std::vector<std::string>& notes() const { return notes_; }
 
   protected:
     void add_problem(const std::string& problem) { problems_.push_back(problem); }
+    void add_note(const std::string& note) { notes_.push_back(note); }
 
   private:
+    std::vector<std::string> notes_;
     std::vector<std::string> problems_;
 };
 

@@ -7,8 +7,11 @@
 
 namespace flownav::io {
 
-/// Images of a video, converted to grey. Image i has the time i / rate_hz; without `rate_hz` the video's own
-/// rate is used. The constructor throws InputError.
+class VideoImages;
+
+/// Images of a video, converted to grey and turned as the video's rotation tag says. They have the stamps of
+/// the container, from 0 on; with `rate_hz` image i has the time i / rate_hz. The constructor throws
+/// InputError, also when the video has no stamps and no rate is given.
 class VideoFile : public ImageSequence {
   public:
     VideoFile(const std::filesystem::path& file, config::CameraConfig camera, std::optional<double> rate_hz);
@@ -17,14 +20,10 @@ class VideoFile : public ImageSequence {
     std::optional<SequenceFrame> next() override;
     std::size_t size() const override;
 
-    double rate_hz() const { return rate_hz_; }
-
   private:
-    struct Capture;
-    std::unique_ptr<Capture> capture_;
+    std::unique_ptr<VideoImages> images_;
     config::CameraConfig camera_;
-    double rate_hz_ = 0.0;
-    std::size_t at_ = 0;
+    bool told_ = false;  ///< the notes and problems have been taken over
 };
 
 }  // namespace flownav::io

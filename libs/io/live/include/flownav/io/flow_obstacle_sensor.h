@@ -32,13 +32,14 @@ struct EndOfInput : std::runtime_error {
 ///     publish_image  publish the fields, with calibration, as camera.camera_label; default false
 ///     use_odometry   publish the ODOMETRY of a rawlog; default true
 ///     paced          play files in the time of the recording, not as fast as called; default false
-///     rate_hz        images a second of a video or folder; default for a video: its own rate
+///     rate_hz        images a second of a video or folder; default for a video: its own time stamps
 ///     start_time_s   time of the first image of a video or folder, since the epoch; default 0
 ///     end_wait_s     seconds from the end of the input to the final exception; default 5
 ///
 /// Time stamps are the grabber's for live cameras and streams, the recorded ones for rawlogs, and
-/// start_time_s + i / rate_hz for videos and folders. Stereo folders: only the left images are used. Images
-/// are published embedded, never as external files. Unknown keys and grab_decimation > 1 are errors.
+/// start_time_s and the stamps of the container, or i / rate_hz, for videos and folders. Stereo folders: only
+/// the left images are used. Images are published embedded, never as external files. Unknown keys and
+/// grab_decimation > 1 are errors.
 ///
 /// At the end of its input the sensor appends a CObservationComment with the kind of the end. When the input
 /// failed (device gone, damaged file) the state becomes ssError at once, with a message in the log. After

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "flownav/io/event_maker.h"
 #include "flownav/io/producer_settings.h"
@@ -27,6 +28,9 @@ class LiveFields {
 
     /// Failure, place and advice; empty before the end, and at the regular end of a file.
     const std::string& error() const;
+
+    /// What was recognised or mended in the source so far, one sentence each; complete at the end.
+    std::vector<std::string> notes() const;
 
     const ProducerSettings& settings() const;
     const InputCounts& counts() const;
