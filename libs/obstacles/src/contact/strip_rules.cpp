@@ -26,7 +26,7 @@ constexpr double contradiction = 1.5;  // added for a cell that is not floor
 constexpr double presence_max = 0.97;
 constexpr int presence_cells = 3;  // cells over which the presence of texture is measured
 // Where texture ends along a line.
-constexpr int end_cells = 6;          // on either side of an end are compared
+constexpr int end_cells = 4;          // on either side of an end are compared
 constexpr int end_pixels_min = 80;    // of each side
 constexpr double texture_min = 0.5;   // preference before the end
 constexpr double texture_left = 0.2;  // of it behind the end, at the most
