@@ -34,7 +34,7 @@ std::uint64_t bytes_of(const Field& field) {
 }
 
 void read_fields(io::RawlogReader& reader, const RealtimeOptions& options, Recording& recording) {
-    io::FieldSource source(reader, options.config.camera);
+    io::FieldSource source(reader, options.config.camera, options.config.input);
     std::uint64_t bytes = 0;
     while (auto event = source.next()) {
         auto* field = std::get_if<Field>(&*event);
