@@ -31,6 +31,17 @@ constexpr Cause causes[] = {
     {"odometry_turn", "wheels_turn"},
     {"odometry_turn_reversed", "wheels_turn"},
     {"odometry_times", "wheels_times"},
+    {"odometry_span", "odometry_way"},
+    {"odometry_span", "odometry_offset"},
+    {"odometry_span", "odometry_turn"},
+    {"odometry_span", "odometry_turn_reversed"},
+    {"odometry_span", "height_contradicts_odometry"},
+    {"odometry_span", "wheels_way"},
+    {"odometry_span", "wheels_turn"},
+    {"odometry_span", "wheels_times"},
+    {"odometry_offset", "odometry_turn"},
+    {"odometry_offset", "wheels_way"},
+    {"odometry_offset", "wheels_turn"},
 };
 
 /// The findings without those that another one of them causes.

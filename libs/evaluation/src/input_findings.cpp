@@ -30,6 +30,7 @@ constexpr Reason left_out[] = {
      true},
     {"time_too_close", "have stamps that nearly equal those of a neighbour",
      "stamp when the sensor exposes, not when a pair arrives"},
+    {"time_uneven", "have stamps off the beat of the others", "stamp when the sensor exposes"},
     {"image_missing", "are files that are not where the recording says",
      "keep the folder of images beside the rawlog"},
     {"image_unreadable", "are files that cannot be read as pictures", "record or copy them again"},
@@ -39,7 +40,6 @@ constexpr Reason left_out[] = {
 };
 
 constexpr Reason used_nevertheless[] = {
-    {"time_reordered", "came in exchanged order and were put right", "record in order of time"},
     {"time_irregular", "have stamps far closer to the one before than usual",
      "speeds of single fields are not reliable; stamp when the sensor exposes"},
     {"calibration_scaled", "have a calibration for another image size of the same shape, which was scaled",

@@ -14,7 +14,12 @@ constexpr double path_min_m = 0.2;   // of the other track; a shorter one tells 
 constexpr double path_share = 0.04;  // larger differences of the two lengths are told
 constexpr double path_floor_m = 0.03;
 constexpr double turn_min_rad = 15.0 * degree_rad;
-constexpr double turn_share = 0.15;
+constexpr double turn_share = 0.06;
+constexpr double jump_min_mps = 2.0;  // between two poses of the track; far beyond its other speeds
+constexpr double jump_min_radps = 6.0;
+constexpr double jump_factor = 4.0;
+constexpr double span_start_s = 1.0;
+constexpr double span_share = 0.08;
 constexpr double sideways_share = 0.2;
 constexpr double covered_share = 0.5;
 constexpr double offset_step_s = 0.02;
@@ -27,6 +32,7 @@ constexpr double turn_lever_m = 0.5;  // weighs turns against ways
 struct Chunk {
     double from_s = 0.0, to_s = 0.0;
     Pose2 flow;
+    bool turn_by_flow = true;  ///< no other sensor told it
 };
 
 /// Motion of the track during a chunk, with its times shifted by `offset_s`; empty outside its span.
@@ -52,13 +58,16 @@ double across_m(const Pose2& moved) {
 std::vector<Chunk> chunks_of(const std::vector<FieldRow>& rows) {
     std::vector<Chunk> chunks;
     std::size_t from = 0;
+    bool by_flow = true;
     for (std::size_t i = 1; i < rows.size(); ++i) {
+        by_flow = by_flow && rows[i].omega_source == MotionSource::Flow;
         const double duration_s = rows[i].timestamp_s - rows[from].timestamp_s;
         if (duration_s < chunk_min_s) continue;
         if (duration_s <= chunk_max_s)
             chunks.push_back({rows[from].timestamp_s, rows[i].timestamp_s,
-                              compose(inverse(rows[from].T_start_robot), rows[i].T_start_robot)});
+                              compose(inverse(rows[from].T_start_robot), rows[i].T_start_robot), by_flow});
         from = i;
+        by_flow = true;
     }
     return chunks;
 }
@@ -105,6 +114,43 @@ std::optional<Offset> best_offset(const std::vector<Chunk>& chunks, const PoseTr
     return best;
 }
 
+/// A step from one pose of a track to the next that no robot makes.
+struct Jump {
+    double at_s = 0.0;
+    double way_m = 0.0;
+};
+
+std::vector<Jump> jumps_of(const PoseTrack& track) {
+    struct Step {
+        double at_s, way_m, v_mps, omega_radps;
+    };
+    std::vector<Step> steps;
+    std::vector<double> speeds_mps, rates_radps;
+    const auto& samples = track.samples();
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        const auto& a = samples[i - 1].pose;
+        const auto& b = samples[i].pose;
+        const double dt_s = samples[i].timestamp_s - samples[i - 1].timestamp_s;
+        const double way_m = std::hypot(b.x - a.x, b.y - a.y);
+        steps.push_back(
+            {samples[i].timestamp_s, way_m, way_m / dt_s, std::abs(wrap_angle(b.yaw - a.yaw)) / dt_s});
+        speeds_mps.push_back(steps.back().v_mps);
+        rates_radps.push_back(steps.back().omega_radps);
+    }
+    const auto usual = [](std::vector<double>& values) {
+        const auto at = values.begin() + static_cast<std::ptrdiff_t>(9 * (values.size() - 1) / 10);
+        std::nth_element(values.begin(), at, values.end());
+        return *at;
+    };
+    const double v_max_mps = std::max(jump_min_mps, jump_factor * usual(speeds_mps));
+    const double omega_max_radps = std::max(jump_min_radps, jump_factor * usual(rates_radps));
+    std::vector<Jump> jumps;
+    for (const Step& step : steps)
+        if (step.v_mps > v_max_mps || step.omega_radps > omega_max_radps)
+            jumps.push_back({step.at_s, step.way_m});
+    return jumps;
+}
+
 class TrackJudge {
   public:
     TrackJudge(const std::vector<FieldRow>& rows, const PoseTrack& track, const std::string& name)
@@ -112,9 +158,11 @@ class TrackJudge {
 
     std::vector<Finding> findings() {
         if (!covers_the_images()) return std::move(findings_);
+        judge_jumps();
         judge_offset();
         judge_way();
         judge_turn();
+        if (!findings_.empty()) judge_span();
         return std::move(findings_);
     }
 
@@ -133,7 +181,7 @@ class TrackJudge {
         std::size_t covered = 0;
         for (const FieldRow& row : rows_) covered += track_.ground_at(row.timestamp_s).has_value();
         if (static_cast<double>(covered) >= covered_share * static_cast<double>(rows_.size())) return true;
-        const double starts_s = track_.first_s() - rows_.front().timestamp_s;
+        const double starts_s = track_.samples().front().timestamp_s - rows_.front().timestamp_s;
         const auto best = best_offset(chunks_, track_, starts_s);
         const bool sure = best && best->disagreement < distinct * best->typical;
         const double offset_s = sure ? best->offset_s : starts_s;
@@ -143,6 +191,37 @@ class TrackJudge {
                  cli::fixed_text(std::abs(offset_s), 2) + (offset_s > 0 ? " s later" : " s earlier") +
                  (sure ? ", by the motion of both; " : ", by its start; ") + offset_advice(offset_s));
         return false;
+    }
+
+    /// Tells jumps of the track, and leaves them out of all comparisons.
+    void judge_jumps() {
+        const std::vector<Jump> jumps = jumps_of(track_);
+        if (jumps.empty()) return;
+        const auto holds_jump = [&jumps](const Chunk& chunk) {
+            return std::any_of(jumps.begin(), jumps.end(), [&chunk](const Jump& jump) {
+                return jump.at_s > chunk.from_s && jump.at_s < chunk.to_s + chunk_min_s;
+            });
+        };
+        chunks_.erase(std::remove_if(chunks_.begin(), chunks_.end(), holds_jump), chunks_.end());
+        tell(name_key() + "_jumps", "the " + name_ + " jumps " + std::to_string(jumps.size()) +
+                                        (jumps.size() == 1 ? " time" : " times") + ", first by " +
+                                        cli::fixed_text(jumps.front().way_m, 2) + " m at " +
+                                        cli::fixed_text(jumps.front().at_s - rows_.front().timestamp_s, 2) +
+                                        " s: was it reset? The errors against it are wrong from there on");
+    }
+
+    /// Two clocks that run at different speeds make all other comparisons wrong.
+    void judge_span() {
+        const auto& poses = track_.samples();
+        const double images_s = rows_.back().timestamp_s - rows_.front().timestamp_s;
+        const double track_s = poses.back().timestamp_s - poses.front().timestamp_s;
+        const bool same_start =
+            std::abs(poses.front().timestamp_s - rows_.front().timestamp_s) < span_start_s;
+        if (!same_start || std::abs(track_s / images_s - 1.0) < span_share) return;
+        tell(name_key() + "_span", "the images last " + cli::fixed_text(images_s, 2) + " s, the " + name_ +
+                                       ' ' + cli::fixed_text(track_s, 2) +
+                                       " s, although both begin together, and their motions differ: does the "
+                                       "clock of one of them run wrong?");
     }
 
     void judge_offset() {
@@ -196,14 +275,10 @@ class TrackJudge {
 
     void judge_turn() {
         double products = 0.0, squares = 0.0, amount_rad = 0.0;
-        for (std::size_t i = 1; i < rows_.size(); ++i) {
-            const FieldRow& row = rows_[i];
-            if (row.status != FieldStatus::Ok || row.omega_source != MotionSource::Flow) continue;
-            const Chunk step{rows_[i - 1].timestamp_s, row.timestamp_s, {}};
-            const auto other = motion_of(track_, step);
-            if (!other || step.to_s - step.from_s > chunk_max_s) continue;
-            const double flow_rad = row.omega_radps * (step.to_s - step.from_s);
-            products += flow_rad * other->yaw_rad;
+        for (const Chunk& chunk : chunks_) {
+            const auto other = motion_of(track_, chunk);
+            if (!other || !chunk.turn_by_flow) continue;
+            products += chunk.flow.yaw_rad * other->yaw_rad;
             squares += other->yaw_rad * other->yaw_rad;
             amount_rad += std::abs(other->yaw_rad);
         }

@@ -270,13 +270,13 @@ CameraModel camera_model(const config::CameraConfig& config, int width_px, int h
 
 CameraReading read_camera(const mrpt::obs::CObservationImage& image, const config::CameraConfig& config,
                           int width_px, int height_px) {
-    constexpr double outer_fifth = 0.3;
+    constexpr double off_centre_max = 0.22;
     Recorded recorded = recorded_calibration(image);
     if (!config.fx_px || !config.fy_px || !config.cx_px || !config.cy_px)
         fit_size(recorded, width_px, height_px);
     CameraReading reading{merged(recorded, config, width_px, height_px), std::move(recorded.notes)};
     const CameraModel& c = reading.camera;
-    if (off_centre(c.cx_px, c.cy_px, width_px, height_px) > outer_fifth)
+    if (off_centre(c.cx_px, c.cy_px, width_px, height_px) > off_centre_max)
         reading.notes.emplace_back("principal_point_off_centre");
     reading.camera = turned(reading.camera, config);
     return reading;

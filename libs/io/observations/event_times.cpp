@@ -20,6 +20,9 @@ constexpr double too_close_share = 0.15;
 constexpr double irregular_share = 0.4;
 constexpr double long_share = 1.5;
 constexpr double jump_share = 20.0;
+constexpr double on_beat_share = 0.15;
+constexpr double off_beat_share = 0.3;
+constexpr double steady_share = 0.8;  // of the intervals must be on the beat
 constexpr double jump_min_s = 2.0;
 constexpr double same_shift_s =
     0.5;  // clocks of two kinds that were set by nearly the same were set together
@@ -50,6 +53,31 @@ bool is_long(const std::deque<double>& intervals_s, double interval_s) {
 
 bool is_too_close(const std::deque<double>& intervals_s, EventKind kind, double interval_s) {
     return kind == EventKind::Image && interval_s < too_close_share * usual_s(intervals_s);
+}
+
+/// Distance of an interval from the nearest multiple of the beat, in beats.
+double off_beat(double interval_s, double beat_s) {
+    const double beats = interval_s / beat_s;
+    return std::abs(beats - std::max(1.0, std::round(beats)));
+}
+
+/// The beat of a camera that misses images now and then, but is else regular; 0 of any other.
+double beat_s(const std::deque<double>& intervals_s) {
+    const double beat = quantile_s(intervals_s, 0.25);
+    if (beat <= 0.0) return 0.0;
+    const auto is_on = [beat](double interval_s) { return off_beat(interval_s, beat) < on_beat_share; };
+    const auto on = std::count_if(intervals_s.begin(), intervals_s.end(), is_on);
+    return static_cast<double>(on) >= steady_share * static_cast<double>(intervals_s.size()) ? beat : 0.0;
+}
+
+bool is_off_beat(const std::deque<double>& intervals_s, EventKind kind, double interval_s) {
+    const double beat = kind == EventKind::Image ? beat_s(intervals_s) : 0.0;
+    return beat > 0.0 && off_beat(interval_s, beat) > off_beat_share;
+}
+
+bool is_on_beat(const std::deque<double>& intervals_s, double interval_s) {
+    const double beat = beat_s(intervals_s);
+    return beat > 0.0 && off_beat(interval_s, beat) < on_beat_share;
 }
 
 void note_interval(std::deque<double>& intervals_s, double interval_s) {
@@ -209,9 +237,11 @@ void EventTimes::take_later(Id id, InputCounts& counts) {
     if (!times.ahead.empty() && take_behind_held(id, counts)) return;
     const double interval_s = recorded_s(id) + times.shift_s - *times.last_s;
     const bool jump = is_jump(times.intervals_s, interval_s);
+    const bool uneven =
+        is_long(times.intervals_s, interval_s) || is_off_beat(times.intervals_s, slot(id).kind, interval_s);
     if (is_too_close(times.intervals_s, slot(id).kind, interval_s)) {
         leave_out(id, "time_too_close", counts);
-    } else if (jump || (mode_ == Mode::Recording && is_long(times.intervals_s, interval_s))) {
+    } else if (jump || (mode_ == Mode::Recording && uneven)) {
         doubt(times.ahead, id, "time_ahead", counts);
     } else {
         use(id, counts);
@@ -226,16 +256,16 @@ bool EventTimes::take_behind_held(Id id, InputCounts& counts) {
     const double held_s = times.ahead.back().recorded_s + times.shift_s;
     const double held_interval_s = times.ahead.front().recorded_s + times.shift_s - *times.last_s;
     if (is_jump(times.intervals_s, held_interval_s)) return is_settled_ahead(id, counts);
-    const Id held = times.ahead.back().id;
-    if (time_s < held_s) {  // the two stamps were exchanged
-        std::swap(slot(held).event, slot(id).event);
-        ++counts.warnings[prefix_of(slot(id).kind) + std::string("time_reordered")];
-        times.ahead.clear();
-        use(held, counts);
-    } else if (is_too_close(times.intervals_s, slot(id).kind, time_s - held_s)) {
+    const EventKind kind = slot(id).kind;
+    if (time_s < held_s) {  // either was displaced: without the held one the order is right
+        leave_out_all(times.ahead, "time_backwards", counts);
+    } else if (is_too_close(times.intervals_s, kind, time_s - held_s)) {
         leave_out_all(times.ahead, "time_too_close", counts);
+    } else if (is_off_beat(times.intervals_s, kind, held_interval_s) &&
+               is_on_beat(times.intervals_s, time_s - *times.last_s)) {
+        leave_out_all(times.ahead, "time_uneven", counts);
     } else {
-        use_all(slot(id).kind, times.ahead, counts);
+        use_all(kind, times.ahead, counts);
     }
     return false;
 }

@@ -122,7 +122,7 @@ constexpr ReasonWords all_reasons[] = {
     {"time_out_of_range", "has a time stamp before 1970 or after 2100"},
     {"time_ahead", "has a time stamp far from those before and after it"},
     {"time_too_close", "has a time stamp that nearly equals that of a neighbour"},
-    {"time_reordered", "came before an earlier one; put in order"},
+    {"time_uneven", "has a time stamp off the beat of the others"},
     {"time_irregular", "came far sooner after the one before than usual"},
     {"clock_set_back", "the clock was set back here; the times behind it were shifted"},
     {"clock_jump", "a pause, or the clock was set ahead here"},

@@ -1,6 +1,7 @@
 #include "flownav/evaluation/findings.h"
 
 #include <gtest/gtest.h>
+#include <mrpt/poses/CPose3D.h>
 
 #include <cmath>
 #include <functional>
@@ -254,6 +255,31 @@ TEST(TrackFindings, OdometryOfAnotherClockIsToldWithItsOffset) {
 TEST(TrackFindings, OdometryThatLagsIsToldWithItsOffset) {
     expect_told(track_findings(rows_of(sometimes_turning), track_of(sometimes_turning, 0.6), "odometry"),
                 "odometry_offset", {"0.60 s later", "input.odometry_offset_s = -0.60"});
+}
+
+TEST(TrackFindings, AResetOfTheOdometryIsToldAndNothingElse) {
+    const PoseTrack good = track_of(sometimes_turning);
+    PoseTrack reset;
+    const mrpt::poses::CPose3D origin(good.samples()[120].pose);
+    for (std::size_t i = 0; i < good.samples().size(); ++i) {
+        const auto& sample = good.samples()[i];
+        const auto pose = mrpt::poses::CPose3D(sample.pose);
+        reset.add(sample.timestamp_s, i < 120 ? sample.pose : (pose - origin).asTPose());
+    }
+    reset.finish();
+    const auto findings = track_findings(rows_of(sometimes_turning), reset, "odometry");
+    expect_told(findings, "odometry_jumps", {"jumps 1 time", "4.80 s", "reset"});
+    EXPECT_EQ(findings.size(), 1U);
+}
+
+TEST(TrackFindings, ClocksOfDifferentSpeedAreTold) {
+    PoseTrack slow;
+    const PoseTrack good = track_of(sometimes_turning);
+    for (const auto& sample : good.samples())
+        slow.add(start_s + 1.5 * (sample.timestamp_s - start_s), sample.pose);
+    slow.finish();
+    expect_told(track_findings(rows_of(sometimes_turning), slow, "odometry"), "odometry_span",
+                {"images last 7.96 s", "odometry 11.94 s"});
 }
 
 TEST(TrackFindings, SidewaysMotionIsTold) {

@@ -20,7 +20,7 @@ class PoseTrack {
     void add(double timestamp_s, const mrpt::math::TPose3D& pose);
     bool empty() const { return samples_.empty(); }
     std::size_t size() const { return samples_.size(); }
-    double first_s() const { return samples_.front().timestamp_s; }  ///< of a track that is not empty
+    const std::vector<TimedPose>& samples() const { return samples_; }
 
     /// Sorts the samples; at() and aligned() need it after the last add().
     void finish();

@@ -32,7 +32,7 @@ struct CameraReading {
     /// pose_x_forward: the pose has axes x forward, z up instead of the optical ones, and was converted;
     /// calibration_scaled: the intrinsics were of another image size of the same shape, and were converted;
     /// calibration_of_another_size: the recorded size is another, but the intrinsics fit this image;
-    /// principal_point_off_centre: it lies in the outer fifth of the image, or outside.
+    /// principal_point_off_centre: it is more than 22 % of the size from the middle of the image.
     std::vector<std::string> notes;
 };
 

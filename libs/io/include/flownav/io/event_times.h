@@ -23,12 +23,12 @@ const char* prefix_of(EventKind kind);
 /// Left out, and counted in InputCounts::rejected under the prefix of the kind: time_invalid,
 /// time_out_of_range (before 1970 or after 2100), time_repeated, time_backwards, time_ahead (single stamps
 /// far from those before and after), and of images time_too_close (much closer to the one before, or to the
-/// one after, than usual: such a pair has wrong stamps, or is one image twice).
+/// one after, than usual: such a pair has wrong stamps, or is one image twice) and time_uneven (single stamps
+/// off the beat of a regular camera).
 ///
-/// Mended, and counted in InputCounts::warnings: time_reordered (the stamps of two neighbours exchanged),
-/// clock_set_back (the times of all that follow are shifted so that they go on), clock_jump (a pause, or a
-/// clock set ahead), and of images time_irregular (less than 0.4 of the usual interval). The largest shift is
-/// in InputCounts::details.
+/// Mended, and counted in InputCounts::warnings: clock_set_back (the times of all that follow are shifted so
+/// that they go on), clock_jump (a pause, or a clock set ahead), and of images time_irregular (less than 0.4
+/// of the usual interval). The largest shift is in InputCounts::details.
 class EventTimes {
   public:
     /// How many events may be held until those after them decide about their times.
