@@ -42,7 +42,8 @@ flownav-replay INPUT.rawlog --realtime [--for-s S] [--output DIR] [--config FILE
                             while the others match blocks; with --realtime all match. The results do not
                             depend on it
   --realtime                fields come at their time stamps, as from a camera, from memory (up to 2 GB);
-                            a field still waiting when a newer one comes is dropped. Prints the latency from
+                            a field still waiting when a newer one comes is dropped, and a pause is cut to
+                            2 s, or twice motion.gap_max_s. Prints the latency from
                             a field's arrival until the local map, the navigator's input, is ready: median,
                             99 %, 99.9 %, worst, and the fields dropped; DIR gets realtime.json only
   --for-s S                 how long --realtime lasts; the recording begins again, with rising time stamps,

@@ -13,8 +13,7 @@ constexpr std::size_t fields_min = 3;        // fewer tell nothing about the dri
 constexpr double shortest_period_s = 0.001;  // no camera of a robot is faster
 constexpr double lost_told_share = 0.5;
 constexpr double blind_told_share = 0.5;
-constexpr double pitch_told_rad = 20.0 * degree_rad;   // no ramp is steeper
-constexpr double pitch_steady_rad = 4.0 * degree_rad;  // is told when nearly all steps have its sign
+constexpr double pitch_told_rad = 4.0 * degree_rad;  // is told when nearly all steps have its sign
 constexpr double steady_share = 0.8;
 constexpr double gap_key_max_s = 60.0;
 
@@ -96,20 +95,17 @@ void judge_statuses(const std::vector<FieldRow>& rows, std::vector<Finding>& fin
 
 /// A robot stays level: a view that goes on pitching is one that is upside down, or wrongly calibrated.
 void judge_pitch(const std::vector<FieldRow>& rows, std::vector<Finding>& findings) {
-    double pitch_rad = 0.0, largest_rad = 0.0, steps_rad = 0.0;
+    double pitch_rad = 0.0, steps_rad = 0.0;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         if (rows[i].status != FieldStatus::Ok) continue;
         const double step_rad = rows[i].pitch_rate_radps * (rows[i].timestamp_s - rows[i - 1].timestamp_s);
         pitch_rad += step_rad;
         steps_rad += std::abs(step_rad);
-        if (std::abs(pitch_rad) > std::abs(largest_rad)) largest_rad = pitch_rad;
     }
-    const bool steady =
-        std::abs(pitch_rad) > pitch_steady_rad && std::abs(pitch_rad) > steady_share * steps_rad;
-    if (std::abs(largest_rad) < pitch_told_rad && !steady) return;
+    if (std::abs(pitch_rad) < pitch_told_rad || std::abs(pitch_rad) < steady_share * steps_rad) return;
     findings.push_back(
         {"view_pitches",
-         "the flow looks as if the robot had pitched by " + cli::fixed_text(deg(largest_rad), 0) +
+         "the flow looks as if the robot had pitched by " + cli::fixed_text(deg(pitch_rad), 0) +
              " deg on the way, which no robot does: are the images upside down (camera.rotate = "
              "180), or the focal length or the pitch of the camera wrong?" +
              findings_page});

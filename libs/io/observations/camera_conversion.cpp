@@ -271,12 +271,15 @@ CameraModel camera_model(const config::CameraConfig& config, int width_px, int h
 CameraReading read_camera(const mrpt::obs::CObservationImage& image, const config::CameraConfig& config,
                           int width_px, int height_px) {
     constexpr double off_centre_max = 0.22;
+    constexpr double exchanged_min = 0.08;  // across and down were exchanged
     Recorded recorded = recorded_calibration(image);
     if (!config.fx_px || !config.fy_px || !config.cx_px || !config.cy_px)
         fit_size(recorded, width_px, height_px);
     CameraReading reading{merged(recorded, config, width_px, height_px), std::move(recorded.notes)};
     const CameraModel& c = reading.camera;
-    if (off_centre(c.cx_px, c.cy_px, width_px, height_px) > off_centre_max)
+    const double off = off_centre(c.cx_px, c.cy_px, width_px, height_px);
+    const double exchanged = off_centre(c.cy_px, c.cx_px, width_px, height_px);
+    if (off > off_centre_max || off - exchanged > exchanged_min)
         reading.notes.emplace_back("principal_point_off_centre");
     reading.camera = turned(reading.camera, config);
     return reading;

@@ -199,7 +199,7 @@ void EventTimes::start(EventKind kind, InputCounts& counts) {
     const auto stranger = [&first] {  // one that is alone, while those behind it agree
         if (first.size() < start_events - 1) return false;
         const std::vector<Doubtful> others(first.begin() + 1, first.end());
-        return is_steady(others, {}) && !is_steady(first, {});
+        return is_steady(others, {}) && is_jump({}, std::abs(first[1].recorded_s - first[0].recorded_s));
     };
     if (stranger()) {
         leave_out(first.front().id, "time_ahead", counts);

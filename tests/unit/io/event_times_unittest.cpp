@@ -258,6 +258,14 @@ TEST(EventTimes, AHeldEventDoesNotHoldManyImages) {
     }
 }
 
+TEST(EventTimes, ARepeatedFirstStampIsARepeatedOne) {
+    auto images = steady_images(20);
+    time_of(images[1]) = time_of(images[0]);
+    const Result result = run(images);
+    EXPECT_EQ(result.rejected("time_repeated"), 1U);
+    EXPECT_EQ(result.rejected("time_ahead"), 0U);
+}
+
 TEST(EventTimes, ALiveEventIsNeverHeld) {
     EventTimes times(Mode::Live);
     InputCounts counts;
