@@ -68,7 +68,7 @@ bool has_long_flow(const CameraModel& camera, const EgoMotion& motion) {
 void CameraChecker::take(const Field& field, const pipeline::Step& step) {
     if (step.end_of_cycle && step.status == FieldStatus::Ok) {
         mount_ = field.camera.mount;
-        if (has_long_flow(field.camera, step.motion)) compare(field, step);
+        compare(field, step);
         if (step.motion.forward_source == MotionSource::Flow)
             pieces_.push_back({reference_s_, step.timestamp_s, step.motion.forward_m});
     }
@@ -83,9 +83,10 @@ void CameraChecker::compare(const Field& field, const pipeline::Step& step) {
     CameraModel camera = field.camera;
     camera.mount.pitch_rad += pitch_at_rad_;
     const motion::PairFit fit = motion::fit_pair(rays_, camera, step.motion, geometry_, {}, scratch_);
-    sum_.add(fit.equations, {pitch_at_rad_, 0.0, 0.0});
     near_vectors_ += fit.near_vectors;
     close_vectors_ += fit.close_vectors;
+    if (!has_long_flow(field.camera, step.motion)) return;
+    sum_.add(fit.equations, {pitch_at_rad_, 0.0, 0.0});
     if (sum_.pairs() < settling_pairs) return;
     const double found_rad = motion::solve(sum_.total()).correction_rad[0];
     pitch_at_rad_ = std::clamp(found_rad, -pitch_at_max_rad, pitch_at_max_rad);
