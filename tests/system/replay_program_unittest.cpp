@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <opencv2/core/mat.hpp>
@@ -529,6 +530,34 @@ TEST_F(ReplayProgram, AWarningIsPrintedAndInTheSummaryAndStrictMakesItStatusTwo)
     EXPECT_TRUE(has(content(output / "report.html"), "poses of the odometry were ignored"));
     EXPECT_EQ(replay(corridor, {"--set", "input.odometry_label=wheels", "--strict"}).status, 2);
     EXPECT_EQ(replay(corridor, {"--strict"}).status, 0);
+}
+
+TEST_F(ReplayProgram, RealtimeDoesNotWaitForAnHour) {
+    std::vector<mrpt::serialization::CSerializable::ConstPtr> objects;
+    for (int i = 0; i < 20; ++i)
+        objects.push_back(
+            testing::image_at(100 + 0.04 * i + (i < 10 ? 0.0 : 3600.0), static_cast<unsigned>(i)));
+    const fs::path file = scratch / "pause.rawlog";
+    write_bytes(file, testing::serialized(objects));
+    const auto began = std::chrono::steady_clock::now();
+    const Outcome outcome = testing::run_program(FLOWNAV_REPLAY, {file, "--realtime"}, scratch);
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_TRUE(has(outcome.error, "1 pause was cut short by 3598.0 s")) << outcome.error;
+    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(60));
+}
+
+TEST_F(ReplayProgram, OneStampADayAheadLosesOneImage) {
+    std::vector<mrpt::serialization::CSerializable::ConstPtr> objects;
+    for (int i = 0; i < 20; ++i)
+        objects.push_back(
+            testing::image_at(100 + 0.04 * i + (i == 7 ? 86400.0 : 0.0), static_cast<unsigned>(i)));
+    const fs::path file = scratch / "ahead.rawlog";
+    write_bytes(file, testing::serialized(objects));
+    const Outcome outcome = replay(file);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_TRUE(has(outcome.error, "warning: 1 of 20 images (5.0 %)")) << outcome.error;
+    EXPECT_EQ(summary()["read"]["fields"], 19);
+    EXPECT_EQ(summary()["rejected"]["time_ahead"], 1);
 }
 
 TEST_F(ReplayProgram, ImagesThatAreUpsideDownAreTold) {
