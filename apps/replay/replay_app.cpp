@@ -25,7 +25,7 @@ constexpr auto help = R"(Replays a rawlog through the optic-flow sensor.
 
 flownav-replay INPUT.rawlog --output DIR [--config FILE.ini] [--set section.key=value]...
                [--video FILE.mp4] [--flow-field FILE.rawlog] [--keep-images] [--timing] [--threads N]
-               [--quiet]
+               [--strict] [--quiet]
 flownav-replay INPUT.rawlog --realtime [--for-s S] [--output DIR] [--config FILE.ini]
                [--set section.key=value]... [--threads N] [--quiet]
 
@@ -42,11 +42,13 @@ flownav-replay INPUT.rawlog --realtime [--for-s S] [--output DIR] [--config FILE
                             while the others match blocks; with --realtime all match. The results do not
                             depend on it
   --realtime                fields come at their time stamps, as from a camera, from memory (up to 2 GB);
-                            a field still waiting when a newer one comes is dropped. Prints the latency from
+                            a field still waiting when a newer one comes is dropped, and a pause is cut to
+                            2 s, or twice motion.gap_max_s. Prints the latency from
                             a field's arrival until the local map, the navigator's input, is ready: median,
                             99 %, 99.9 %, worst, and the fields dropped; DIR gets realtime.json only
   --for-s S                 how long --realtime lasts; the recording begins again, with rising time stamps,
                             as often as needed; default once
+  --strict                  any warning makes the exit status 2, not only those about lost data
   --quiet                   no progress and no closing line
   --help, --version         print this text, or the version, and exit
 
@@ -64,8 +66,8 @@ Writes into DIR:
 Exit status:
   0  fine
   1  bad usage or configuration, no such input, or no image of the camera in it; nothing was written
-  2  the input is damaged, ended early or is no rawlog; all that was readable was written, and summary.json
-     says where and why reading ended
+  2  the input is damaged, ended early or is no rawlog, or a warning says that data were lost; all that was
+     readable was written, and summary.json says where and why
   3  output could not be written
 )";
 
@@ -119,6 +121,7 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
     TCLAP::SwitchArg timing("", "timing", "", command);
     TCLAP::SwitchArg realtime("", "realtime", "", command);
     TCLAP::ValueArg<double> duration_s("", "for-s", "", false, 0.0, "S", command);
+    TCLAP::SwitchArg strict("", "strict", "", command);
     TCLAP::SwitchArg quiet("", "quiet", "", command);
 
     if (!cli::parse_arguments(command, arguments)) {
@@ -140,6 +143,7 @@ std::optional<CommandLine> parse(const std::vector<std::string>& arguments, std:
     result.options.optional.video = video.getValue();
     result.options.optional.flow_field = flow_field.getValue();
     result.options.timing_in_report = timing.getValue();
+    result.options.strict = strict.getValue();
     const std::string problem = contradiction(result, input.isSet(), folder.isSet());
     if (!problem.empty()) {
         output.fail(problem);

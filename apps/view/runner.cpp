@@ -16,7 +16,7 @@ std::size_t Checkpoint::bytes() const {
 
 Runner::Runner(const std::filesystem::path& file, const config::Config& config)
     : reader_(std::make_unique<io::RawlogReader>(file)), state_(config::make_state(config)) {
-    source_.emplace(*reader_, config.camera);
+    source_.emplace(*reader_, config.camera, config.input);
 }
 
 std::optional<io::ReplayEvent> Runner::next_event() {

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <opencv2/core/mat.hpp>
@@ -508,12 +509,65 @@ TEST_F(ReplayProgram, BlackWhiteAndConstantFieldsGetAStatusWord) {
     }
     write_bytes(scratch / "dull.rawlog", testing::serialized(objects));
     const Outcome outcome = replay(scratch / "dull.rawlog", {"--quiet"});
-    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_EQ(outcome.status, 2) << outcome.error;
     EXPECT_EQ(summary()["status"]["bad_field"], 6);
     const std::string csv = content(output / "egomotion.csv");
     EXPECT_FALSE(has(csv, "nan"));
     EXPECT_TRUE(has(csv, "100.000000,bad_field,,,"));
     EXPECT_EQ(lines_of(content(output / "obstacles.csv")), 1U);
+}
+
+TEST_F(ReplayProgram, AWarningIsPrintedAndInTheSummaryAndStrictMakesItStatusTwo) {
+    const std::vector<std::string> other_label = {"--set", "input.odometry_label=wheels"};
+    const Outcome told = replay(corridor, other_label);
+    EXPECT_EQ(told.status, 0);
+    EXPECT_TRUE(has(told.error, "warning: 60 poses of the odometry were ignored")) << told.error;
+    EXPECT_TRUE(has(told.error, "input.odometry_label = ODOMETRY")) << told.error;
+    const auto warnings = summary()["warnings"];
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_EQ(warnings[0]["reason"], "odometry_label");
+    EXPECT_EQ(warnings[0]["loses_data"], false);
+    EXPECT_TRUE(has(content(output / "report.html"), "poses of the odometry were ignored"));
+    EXPECT_EQ(replay(corridor, {"--set", "input.odometry_label=wheels", "--strict"}).status, 2);
+    EXPECT_EQ(replay(corridor, {"--strict"}).status, 0);
+}
+
+TEST_F(ReplayProgram, RealtimeDoesNotWaitForAnHour) {
+    std::vector<mrpt::serialization::CSerializable::ConstPtr> objects;
+    for (int i = 0; i < 20; ++i)
+        objects.push_back(
+            testing::image_at(100 + 0.04 * i + (i < 10 ? 0.0 : 3600.0), static_cast<unsigned>(i)));
+    const fs::path file = scratch / "pause.rawlog";
+    write_bytes(file, testing::serialized(objects));
+    const auto began = std::chrono::steady_clock::now();
+    const Outcome outcome = testing::run_program(FLOWNAV_REPLAY, {file, "--realtime"}, scratch);
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_TRUE(has(outcome.error, "1 pause was cut short by 3598.0 s")) << outcome.error;
+    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(60));
+}
+
+TEST_F(ReplayProgram, OneStampADayAheadLosesOneImage) {
+    std::vector<mrpt::serialization::CSerializable::ConstPtr> objects;
+    for (int i = 0; i < 20; ++i)
+        objects.push_back(
+            testing::image_at(100 + 0.04 * i + (i == 7 ? 86400.0 : 0.0), static_cast<unsigned>(i)));
+    const fs::path file = scratch / "ahead.rawlog";
+    write_bytes(file, testing::serialized(objects));
+    const Outcome outcome = replay(file);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_TRUE(has(outcome.error, "warning: 1 of 20 images (5.0 %)")) << outcome.error;
+    EXPECT_EQ(summary()["read"]["fields"], 19);
+    EXPECT_EQ(summary()["rejected"]["time_ahead"], 1);
+}
+
+TEST_F(ReplayProgram, ImagesThatAreUpsideDownAreTold) {
+    EXPECT_EQ(replay(corridor, {"--set", "camera.rotate=180"}).status, 0);
+    const auto warnings = summary()["warnings"];
+    const auto is_about_turning = [](const nlohmann::json& warning) {
+        const std::string reason = warning["reason"];
+        return reason == "view_pitches" || reason == "odometry_turn_reversed" || reason == "fields_lost";
+    };
+    EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), is_about_turning)) << warnings;
 }
 
 }  // namespace

@@ -6,12 +6,15 @@
 namespace flownav::config {
 namespace {
 
-Key label() {
-    return make_key({"camera", "camera_label", "", "sensor label of the images in the rawlog", everyday},
-                    "any text", AT(camera.camera_label), [](Config& config, const std::string& text) {
-                        if (text.empty()) throw BadValue("is empty");
-                        config.camera.camera_label = text;
-                    });
+/// Text of any kind but an empty one.
+template <class Place>
+Key text(const Doc& doc, Place place) {
+    return make_key(
+        doc, "any text", [=](const Config& config) -> std::string { return place(config); },
+        [=](Config& config, const std::string& value) {
+            if (value.empty()) throw BadValue("is empty");
+            place(config) = value;
+        });
 }
 
 /// Sets lens and coefficients from "recorded", "k1 k2 p1 p2 k3" or "LENS and 5 numbers".
@@ -49,9 +52,49 @@ Key distortion() {
         [](Config& config, const std::string& text) { set_distortion(config.camera, text); });
 }
 
+Key rotate() {
+    return make_key(
+        {"camera", "rotate", "deg",
+         "turns each image clockwise as it is read; 180 for a camera mounted upside down"},
+        "0 | 90 | 180 | 270", [](const Config& config) { return format_number(config.camera.rotate_deg); },
+        [](Config& config, const std::string& text) {
+            const int angle_deg = parse_number(text, Range<int>{0, 270});
+            if (angle_deg % 90 != 0) throw BadValue("is none of the words");
+            config.camera.rotate_deg = angle_deg;
+        });
+}
+
+/// Sets the hidden rows from "none" or "FIRST LAST".
+void set_mask(CameraConfig& camera, const std::string& text) {
+    if (text == "none") {
+        camera.masked_rows.reset();
+        return;
+    }
+    const auto words = words_of(text);
+    if (words.size() != 2) throw BadValue("is not none or two rows");
+    constexpr Range<int> rows{0, 50000};
+    const RowRange hidden{parse_number(words[0], rows), parse_number(words[1], rows)};
+    if (hidden.first > hidden.last) throw BadValue("has its first row below the last");
+    camera.masked_rows = hidden;
+}
+
+Key mask() {
+    return make_key(
+        {"camera", "mask", "px",
+         "first and last row that show the robot itself, at the bottom or top of the image; they are cut "
+         "off"},
+        "none, or 2 rows 0 .. 50000",
+        [](const Config& config) -> std::string {
+            const auto& rows = config.camera.masked_rows;
+            return rows ? format_number(rows->first) + " " + format_number(rows->last) : "none";
+        },
+        [](Config& config, const std::string& text) { set_mask(config.camera, text); });
+}
+
 std::vector<Key> camera_keys() {
     return {
-        label(),
+        text({"camera", "camera_label", "", "sensor label of the images in the rawlog", everyday},
+             AT(camera.camera_label)),
         word<Interlaced>({"camera", "interlaced", "",
                           "whether images are two woven fields, and which is the older", everyday},
                          {{"none", Interlaced::None},
@@ -79,6 +122,23 @@ std::vector<Key> camera_keys() {
         recorded_number({"camera", "cy_px", "px", "principal point; of a woven image: of the whole frame"},
                         {-50000, 50000}, AT(camera.cy_px)),
         distortion(),
+        rotate(),
+        word<bool>(
+            {"camera", "mirror", "", "images show left and right exchanged; corrected as they are read"},
+            {{"true", true}, {"false", false}}, AT(camera.mirror)),
+        mask(),
+    };
+}
+
+std::vector<Key> input_keys() {
+    return {
+        text({"input", "odometry_label", "", "sensor label of the wheel odometry in the rawlog"},
+             AT(input.odometry_label)),
+        text({"input", "truth_label", "", "sensor label of the ground truth in the rawlog"},
+             AT(input.truth_label)),
+        number<double>({"input", "odometry_offset_s", "s",
+                        "added to the times of the odometry, when it was recorded with another clock"},
+                       {-1e9, 1e9}, AT(input.odometry_offset_s)),
     };
 }
 
@@ -227,8 +287,8 @@ std::vector<Key> map_keys() {
 const std::vector<Key>& key_table() {
     static const std::vector<Key> table = [] {
         std::vector<Key> all;
-        for (const auto& keys : {camera_keys(), flow_keys(), motion_keys(), obstacle_keys(), map_keys(),
-                                 navigation_keys(), guard_keys()})
+        for (const auto& keys : {camera_keys(), input_keys(), flow_keys(), motion_keys(), obstacle_keys(),
+                                 map_keys(), navigation_keys(), guard_keys()})
             all.insert(all.end(), keys.begin(), keys.end());
         return all;
     }();

@@ -73,7 +73,7 @@ class Collector {
 CalibrationDrive collect_pairs(const std::filesystem::path& input, const config::Config& config,
                                std::uint64_t cycles_max, cli::Progress& progress) {
     io::RawlogReader reader(input);
-    io::FieldSource source(reader, config.camera);
+    io::FieldSource source(reader, config.camera, config.input);
     Collector collector(config);
     CalibrationDrive& drive = collector.drive;
     try {

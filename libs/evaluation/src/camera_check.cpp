@@ -20,6 +20,9 @@ constexpr double ratio_by_pitch_min = 0.4, ratio_by_pitch_max = 2.5;
 constexpr double pitch_at_max_rad = 15 * degree_rad;
 constexpr double unit_tolerance = 0.25;  // of log(ratio * 100), to detect a height in centimetres
 
+// Errors of parts of a pixel do not average out in shorter flows, those of a robot that crawls.
+constexpr double flow_min_px = 9.0;
+
 constexpr const char* advice = "; flownav-calibrate estimates it from this drive";
 
 void check_angle(CameraCheck& check, int i, const char* key, double assumed_rad) {
@@ -53,28 +56,40 @@ void check_height(CameraCheck& check) {
         " (flownav-calibrate --odometry estimates it)");
 }
 
+/// True when the flow of the floor near the robot is long enough for a check of the pose.
+bool has_long_flow(const CameraModel& camera, const EgoMotion& motion) {
+    const double travel_px = std::abs(motion.forward_m) / camera.mount.height_m * camera.fy_px;
+    const double turn_px = std::abs(motion.omega_rad) * camera.fx_px;
+    return std::max(travel_px, turn_px) >= flow_min_px;
+}
+
 }  // namespace
 
 void CameraChecker::take(const Field& field, const pipeline::Step& step) {
     if (step.end_of_cycle && step.status == FieldStatus::Ok) {
         mount_ = field.camera.mount;
-        rays_.clear();
-        for (const pipeline::BlockRecord& block : step.blocks)
-            if (block.fresh) rays_.push_back(block.ray);
-        CameraModel camera = field.camera;
-        camera.mount.pitch_rad += pitch_at_rad_;
-        const motion::PairFit fit = motion::fit_pair(rays_, camera, step.motion, geometry_, {}, scratch_);
-        sum_.add(fit.equations, {pitch_at_rad_, 0.0, 0.0});
-        near_vectors_ += fit.near_vectors;
-        close_vectors_ += fit.close_vectors;
-        if (sum_.pairs() >= settling_pairs) {
-            const double found_rad = motion::solve(sum_.total()).correction_rad[0];
-            pitch_at_rad_ = std::clamp(found_rad, -pitch_at_max_rad, pitch_at_max_rad);
-        }
+        compare(field, step);
         if (step.motion.forward_source == MotionSource::Flow)
             pieces_.push_back({reference_s_, step.timestamp_s, step.motion.forward_m});
     }
     if (step.end_of_cycle || step.image_of_cycle == 0) reference_s_ = step.timestamp_s;
+}
+
+/// Adds the equations of a cycle.
+void CameraChecker::compare(const Field& field, const pipeline::Step& step) {
+    rays_.clear();
+    for (const pipeline::BlockRecord& block : step.blocks)
+        if (block.fresh) rays_.push_back(block.ray);
+    CameraModel camera = field.camera;
+    camera.mount.pitch_rad += pitch_at_rad_;
+    const motion::PairFit fit = motion::fit_pair(rays_, camera, step.motion, geometry_, {}, scratch_);
+    near_vectors_ += fit.near_vectors;
+    close_vectors_ += fit.close_vectors;
+    if (!has_long_flow(field.camera, step.motion)) return;
+    sum_.add(fit.equations, {pitch_at_rad_, 0.0, 0.0});
+    if (sum_.pairs() < settling_pairs) return;
+    const double found_rad = motion::solve(sum_.total()).correction_rad[0];
+    pitch_at_rad_ = std::clamp(found_rad, -pitch_at_max_rad, pitch_at_max_rad);
 }
 
 CameraCheck CameraChecker::result(const PoseTrack& odometry) const {

@@ -1,10 +1,73 @@
 #include "flownav/evaluation/drive.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "flownav/cli/number_text.h"
+#include "flownav/evaluation/motion_sources.h"
 
 namespace flownav::evaluation {
+namespace {
+
+/// A finding, and one that it causes as well.
+struct Cause {
+    const char* cause;
+    const char* consequence;
+};
+
+constexpr Cause causes[] = {
+    {"time_repeated", "images_too_rare"},
+    // A camera that is upside down or wrongly calibrated makes every estimate of its pose wrong.
+    {"principal_point_off_centre", "pose_contradicts_flow"},
+    {"principal_point_off_centre", "height_contradicts_odometry"},
+    {"view_pitches", "pose_contradicts_flow"},
+    {"view_pitches", "height_contradicts_odometry"},
+    {"odometry_way_reversed", "pose_contradicts_flow"},
+    {"odometry_turn_reversed", "pose_contradicts_flow"},
+    {"odometry_turn_reversed", "height_contradicts_odometry"},
+    {"odometry_sideways", "height_contradicts_odometry"},
+    {"height_contradicts_odometry", "odometry_way"},
+    {"odometry_way", "wheels_way"},
+    {"odometry_way_reversed", "wheels_way"},
+    {"odometry_sideways", "wheels_way"},
+    {"odometry_turn", "wheels_turn"},
+    {"odometry_turn_reversed", "wheels_turn"},
+    {"odometry_times", "wheels_times"},
+    {"odometry_span", "odometry_way"},
+    {"odometry_span", "odometry_offset"},
+    {"odometry_span", "odometry_turn"},
+    {"odometry_span", "odometry_turn_reversed"},
+    {"odometry_span", "height_contradicts_odometry"},
+    {"odometry_span", "wheels_way"},
+    {"odometry_span", "wheels_turn"},
+    {"odometry_span", "wheels_times"},
+    {"odometry_offset", "odometry_way"},
+    {"odometry_offset", "odometry_turn"},
+    {"odometry_offset", "odometry_turn_reversed"},
+    {"odometry_offset", "wheels_times"},
+    {"odometry_jumps", "wheels_way"},
+    {"odometry_jumps", "wheels_turn"},
+    {"odometry_offset", "wheels_way"},
+    {"odometry_offset", "wheels_turn"},
+};
+
+/// The findings without those that another one of them causes.
+std::vector<Finding> without_consequences(const std::vector<Finding>& findings) {
+    const auto has = [&findings](const std::string& reason) {
+        return std::any_of(findings.begin(), findings.end(),
+                           [&reason](const Finding& finding) { return finding.reason == reason; });
+    };
+    std::vector<Finding> kept;
+    for (const Finding& finding : findings) {
+        const auto explains = [&](const Cause& cause) {
+            return finding.reason == cause.consequence && has(cause.cause);
+        };
+        if (std::none_of(std::begin(causes), std::end(causes), explains)) kept.push_back(finding);
+    }
+    return kept;
+}
+
+}  // namespace
 
 const char* end_word(const Drive& drive) {
     if (!drive.stop_reason.empty()) return "unusable_image";
@@ -73,6 +136,26 @@ std::string map_warning(int sets, int sets_outside, double half_m) {
     return "the map lacks " + std::to_string(sets_outside) + " of " + std::to_string(sets) +
            " cycles, which were seen more than " + cli::fixed_text(half_m, 0) +
            " m from the start: a larger map.resolution_m reaches farther, at most 1000 m";
+}
+
+std::vector<Finding> judge(const Drive& drive, const config::Config& config, const std::string& map_warning) {
+    std::vector<Finding> findings = input_findings(drive.read, config.input);
+    const auto add = [&findings](const std::vector<Finding>& more) {
+        findings.insert(findings.end(), more.begin(), more.end());
+    };
+    const auto add_sentence = [&findings](const char* reason, const std::string& sentence) {
+        if (!sentence.empty()) findings.push_back({reason, sentence});
+    };
+    add(field_findings(drive.rows, drive.field_faults, config.pipeline.rate));
+    const bool wheels = !drive.odometry.empty();
+    add(track_findings(drive.rows, wheels ? drive.odometry : drive.ground_truth,
+                       wheels ? "odometry" : "ground truth"));
+    for (const std::string& sentence : drive.camera_check.warnings)
+        add_sentence(drive.camera_check.verdict, sentence);
+    add(sensor_findings(drive.rows));
+    add_sentence("pose_carried", carried_warning(carried_time(drive.rows), config.pipeline.rate.carry_max_s));
+    add_sentence("map_too_small", map_warning);
+    return without_consequences(findings);
 }
 
 const char* explain(FieldStatus status) {

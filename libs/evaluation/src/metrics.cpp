@@ -161,6 +161,7 @@ FieldRow row_of(const pipeline::Step& step) {
     row.starts_reference = step.end_of_cycle || step.image_of_cycle == 0;
     row.omega_radps = step.omega_radps;
     row.v_mps = step.v_mps;
+    row.pitch_rate_radps = step.pitch_rate_radps;
     row.omega_source = step.motion.omega_source;
     row.forward_source = step.motion.forward_source;
     row.other_sensors = step.other_sensors;

@@ -1,6 +1,6 @@
 #include "flownav/evaluation/motion_sources.h"
 
-#include "flownav/cli/number_text.h"
+#include "finding_text.h"
 
 namespace flownav::evaluation {
 namespace {
@@ -17,18 +17,19 @@ std::string seconds(double time_s) {
     return cli::fixed_text(time_s, 1) + " s";
 }
 
-std::string contradiction_warning(const SensorHistory& history, const std::string& what,
-                                  const std::string& key, const std::string& causes) {
+std::string contradiction(const SensorHistory& history, const std::string& what, const std::string& key,
+                          const std::string& causes) {
     return what + " contradicted the flow for " + seconds(history.contradicted_s) + " (told " +
            cli::fixed_text(history.contradicted_ratio, 2) +
            " times what the flow measured) and was not used meanwhile: check " + causes + ", or set " + key +
-           " = off";
+           " = off" + findings_page;
 }
 
-std::string time_warning(const SensorHistory& history, const std::string& what, const std::string& key) {
+std::string other_clock(const SensorHistory& history, const std::string& what, const std::string& key) {
     return "the times of " + what + " were more than 1 s from those of the images for " +
            seconds(history.not_in_time_s) +
-           ": it was not used meanwhile; record both with one clock, or set " + key + " = off";
+           ": it was not used meanwhile; record both with one clock, or set " + key + " = off" +
+           findings_page;
 }
 
 }  // namespace
@@ -49,23 +50,26 @@ MotionSources motion_sources(const std::vector<FieldRow>& rows) {
     return sources;
 }
 
-std::vector<std::string> sensor_warnings(const std::vector<FieldRow>& rows) {
+std::vector<Finding> sensor_findings(const std::vector<FieldRow>& rows) {
     const MotionSources sources = motion_sources(rows);
-    std::vector<std::string> warnings;
+    std::vector<Finding> findings;
     if (sources.wheels_way.contradicted_s > 0.0)
-        warnings.push_back(contradiction_warning(sources.wheels_way, "the way of the wheels", "motion.wheels",
-                                                 "slip, the size of the wheels, camera.height_m and clocks"));
+        findings.push_back(
+            {"wheels_way", contradiction(sources.wheels_way, "the way of the wheels", "motion.wheels",
+                                         "slip, the size of the wheels, camera.height_m and clocks")});
     if (sources.wheels_turn.contradicted_s > 0.0)
-        warnings.push_back(contradiction_warning(sources.wheels_turn, "the turn of the wheels",
-                                                 "motion.wheels", "slip, the sign, the track and clocks"));
+        findings.push_back(
+            {"wheels_turn", contradiction(sources.wheels_turn, "the turn of the wheels", "motion.wheels",
+                                          "slip, the sign, the track and clocks")});
     if (sources.gyro.contradicted_s > 0.0)
-        warnings.push_back(contradiction_warning(sources.gyro, "the turn of the gyro", "motion.gyro",
-                                                 "its axis, sign and scale, and clocks"));
+        findings.push_back({"gyro_turn", contradiction(sources.gyro, "the turn of the gyro", "motion.gyro",
+                                                       "its axis, sign and scale, and clocks")});
     if (sources.wheels_way.not_in_time_s > 0.0)
-        warnings.push_back(time_warning(sources.wheels_way, "the wheel odometry", "motion.wheels"));
+        findings.push_back(
+            {"wheels_times", other_clock(sources.wheels_way, "the wheel odometry", "motion.wheels")});
     if (sources.gyro.not_in_time_s > 0.0)
-        warnings.push_back(time_warning(sources.gyro, "the gyro", "motion.gyro"));
-    return warnings;
+        findings.push_back({"gyro_times", other_clock(sources.gyro, "the gyro", "motion.gyro")});
+    return findings;
 }
 
 }  // namespace flownav::evaluation

@@ -146,6 +146,14 @@ Json errors_part(const std::optional<Errors>& errors) {
     return part;
 }
 
+Json findings_part(const std::vector<Finding>& findings) {
+    Json part = Json::array();
+    for (const Finding& finding : findings)
+        part.push_back(
+            {{"reason", finding.reason}, {"sentence", finding.sentence}, {"loses_data", finding.loses_data}});
+    return part;
+}
+
 Json camera_check_part(const CameraCheck& check) {
     const auto angle = [&check](const motion::MountAngles& angles, int i) {
         return check.angles_known ? rounded(deg(angles[i])) : Json(nullptr);
@@ -200,7 +208,7 @@ Json summary_facts(const Drive& drive, const config::Config& config) {
     summary["input"] = input_part(drive);
     summary["read"] = read_part(drive.read);
     summary["rejected"] = Json(drive.read.rejected);
-    summary["warnings"] = Json(drive.read.warnings);
+    summary["used_nevertheless"] = Json(drive.read.warnings);
     summary["written"] = written_part(drive.written);
     summary["status"] = status_part(drive.rows);
     summary["bad_fields"] = fault_part(drive.field_faults);
@@ -209,7 +217,7 @@ Json summary_facts(const Drive& drive, const config::Config& config) {
     summary["contacts"] = contacts_part(contact_figures(drive.rows));
     summary["errors"] = {{"ground_truth", errors_part(drive.ground_truth_errors)},
                          {"odometry", errors_part(drive.odometry_errors)}};
-    summary["doubts"] = Json(drive.warnings);
+    summary["warnings"] = findings_part(drive.findings);
     summary["camera_check"] = camera_check_part(drive.camera_check);
     summary["config"] = config_part(config);
     return summary;

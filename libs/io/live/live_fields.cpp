@@ -12,7 +12,8 @@ constexpr std::uint64_t rejected_images_max = 100;  ///< limit of rejected image
 struct LiveFields::Impl {
     explicit Impl(const ProducerSettings& of)
         : settings(of),
-          maker(of.config.camera),
+          maker(of.config.camera, of.config.input,
+                of.grabber_type == "rawlog" ? EventTimes::Mode::Recording : EventTimes::Mode::Live),
           feed(of.grabber_type == "rawlog" ? open_rawlog(of) : open_camera(of)) {}
 
     /// Reads one more observation, or the end.
@@ -59,6 +60,7 @@ std::optional<SensorEvent> LiveFields::next() {
         try {
             impl_->advance();
         } catch (const config::ConfigError& error) {
+            impl_->maker.finish();
             impl_->end(std::string(error.what()) +
                        " (in the section of the sensor: camera.KEY = VALUE, or flownav_config = FILE)");
         }

@@ -5,7 +5,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "flownav/core/pose2.h"
 #include "flownav/math/units.h"
+#include "turned_image.h"
 
 namespace flownav::io {
 namespace {
@@ -16,8 +18,39 @@ struct Recorded {
     std::array<double, 5> distortion{};
     std::optional<CameraMount> mount;  ///< empty: no pose was recorded
     bool oriented = false;             ///< the recorded pose has a rotation to optical axes
-    std::string unusable_lens;  ///< unsupported lens model of the recording; empty when it is supported
+    std::string unusable_lens;        ///< unsupported lens model of the recording; empty when it is supported
+    int width_px = 0, height_px = 0;  ///< of the image that the intrinsics are for
+    std::vector<std::string> notes;   ///< of CameraReading
 };
+
+constexpr double upright_deg = 10.0;  // larger roll or yaw is not compensated
+constexpr double pitch_min_deg = -5.0, pitch_max_deg = 80.0;
+
+bool looks_ahead(const CameraMount& m) {
+    const double pitch_deg = deg(m.pitch_rad);
+    return pitch_deg >= pitch_min_deg && pitch_deg <= pitch_max_deg &&
+           std::abs(deg(m.yaw_rad)) <= upright_deg;
+}
+
+/// The rest of a roll after turning the image by quarters.
+double roll_after_quarters_rad(double roll_rad, int rotate_deg) {
+    return wrap_angle(roll_rad - rotate_deg * degree_rad);
+}
+
+/// The mount as recorded: by optical axes, or, when those would look elsewhere, by axes x forward and z up.
+CameraMount recorded_mount(const mrpt::poses::CPose3D& pose, std::vector<std::string>& notes) {
+    const CameraMount optical = camera_mount(pose);
+    if (looks_ahead(optical)) return optical;
+    const CameraMount x_forward = camera_mount(pose + mrpt::poses::CPose3D(0, 0, 0, -M_PI / 2, 0, -M_PI / 2));
+    if (!looks_ahead(x_forward) || std::abs(deg(x_forward.roll_rad)) > upright_deg) return optical;
+    notes.emplace_back("pose_x_forward");
+    return x_forward;
+}
+
+/// Distance of a principal point from the middle of an image, in shares of its size.
+double off_centre(double cx_px, double cy_px, int width_px, int height_px) {
+    return std::max(std::abs((cx_px + 0.5) / width_px - 0.5), std::abs((cy_px + 0.5) / height_px - 0.5));
+}
 
 Recorded recorded_calibration(const mrpt::obs::CObservationImage& image) {
     Recorded r;
@@ -35,8 +68,39 @@ Recorded recorded_calibration(const mrpt::obs::CObservationImage& image) {
     if (c.distortion == mrpt::img::DistortionModel::kannala_brandt) r.unusable_lens = "kannala_brandt";
     const auto R = image.cameraPose.getRotationMatrix();
     r.oriented = std::abs(R(0, 0) - 1) > 1e-6 || std::abs(R(1, 1) - 1) > 1e-6;
-    if (r.oriented || image.cameraPose.norm() > 0) r.mount = camera_mount(image.cameraPose);
+    if (r.oriented) r.mount = recorded_mount(image.cameraPose, r.notes);
+    if (!r.oriented && image.cameraPose.norm() > 0) r.mount = camera_mount(image.cameraPose);
+    r.width_px = static_cast<int>(c.ncols);
+    r.height_px = static_cast<int>(c.nrows);
     return r;
+}
+
+/// Converts intrinsics of another image size. A recorded size that is out of date, while the intrinsics fit
+/// the image better, is noted only. Throws ConfigError when the shapes differ.
+void fit_size(Recorded& r, int width_px, int height_px) {
+    const bool known = r.fx_px && r.width_px > 0 && r.height_px > 0;
+    if (!known || (r.width_px == width_px && r.height_px == height_px)) return;
+    if (off_centre(*r.cx_px, *r.cy_px, width_px, height_px) <=
+        off_centre(*r.cx_px, *r.cy_px, r.width_px, r.height_px)) {
+        r.notes.emplace_back("calibration_of_another_size");
+        return;
+    }
+    constexpr double shape_tolerance = 0.01;
+    const double across = static_cast<double>(width_px) / r.width_px;
+    const double down = static_cast<double>(height_px) / r.height_px;
+    if (std::abs(across / down - 1.0) > shape_tolerance) {
+        const auto size = [](int w, int h) { return std::to_string(w) + " x " + std::to_string(h); };
+        throw config::ConfigError("the recorded calibration is for images of " +
+                                  size(r.width_px, r.height_px) + " pixels, but the images have " +
+                                  size(width_px, height_px) +
+                                  ", another shape: calibrate the camera at this size, or set camera.fx_px, "
+                                  "fy_px, cx_px and cy_px for it");
+    }
+    r.fx_px = *r.fx_px * across;
+    r.fy_px = *r.fy_px * down;
+    r.cx_px = (*r.cx_px + 0.5) * across - 0.5;
+    r.cy_px = (*r.cy_px + 0.5) * down - 0.5;
+    r.notes.emplace_back("calibration_scaled");
 }
 
 void require_finite(const CameraModel& c) {
@@ -76,6 +140,18 @@ void require_pixels(const CameraModel& c) {
     }
 }
 
+/// Throws ConfigError, which names the key, when the camera is rolled by a quarter, or upside down.
+void require_upright(double roll_rad) {
+    for (const int rotate_deg : {90, 180, 270}) {
+        if (std::abs(deg(roll_after_quarters_rad(roll_rad, rotate_deg))) > upright_deg) continue;
+        std::ostringstream text;
+        text << "the recorded cameraPose is rolled by " << std::lround(deg(roll_rad))
+             << " deg: set camera.rotate = " << rotate_deg
+             << ", which turns the images upright as they are read";
+        throw config::ConfigError(text.str());
+    }
+}
+
 void require_usable_mount(const CameraMount& m) {
     require_range("camera.height_m", m.height_m, 0.01, 20,
                   "the camera's height over the ground in metres. Correct the recorded cameraPose or set "
@@ -83,6 +159,7 @@ void require_usable_mount(const CameraMount& m) {
     require_range("camera.pitch_deg", m.pitch_rad / degree_rad, -5, 80,
                   "the camera has to look ahead or down; > 0 looks down. Correct the recorded cameraPose or "
                   "set camera.pitch_deg");
+    require_upright(m.roll_rad);
     require_range("camera.roll_deg", m.roll_rad / degree_rad, -10, 10,
                   "a camera tilted sideways this far is not compensated. Correct the recorded cameraPose or "
                   "set camera.roll_deg");
@@ -114,6 +191,8 @@ std::string missing_keys(const Recorded& r, const config::CameraConfig& c) {
 CameraMount merged_mount(const Recorded& r, const config::CameraConfig& c) {
     CameraMount mount = r.mount.value_or(CameraMount{});
     if (!r.oriented) mount.pitch_rad = mount.roll_rad = mount.yaw_rad = 0;
+    const double upright_rad = roll_after_quarters_rad(mount.roll_rad, c.rotate_deg);
+    if (std::abs(deg(upright_rad)) <= upright_deg) mount.roll_rad = upright_rad;  // else of the turned image
     mount.height_m = c.height_m.value_or(mount.height_m);
     mount.forward_m = c.forward_m.value_or(mount.forward_m);
     mount.left_m = c.left_m.value_or(mount.left_m);
@@ -189,9 +268,21 @@ CameraModel camera_model(const config::CameraConfig& config, int width_px, int h
     return merged(Recorded{}, config, width_px, height_px);
 }
 
-CameraModel camera_model(const mrpt::obs::CObservationImage& image, const config::CameraConfig& config,
-                         int width_px, int height_px) {
-    return merged(recorded_calibration(image), config, width_px, height_px);
+CameraReading read_camera(const mrpt::obs::CObservationImage& image, const config::CameraConfig& config,
+                          int width_px, int height_px) {
+    constexpr double off_centre_max = 0.22;
+    constexpr double exchanged_min = 0.08;  // across and down were exchanged
+    Recorded recorded = recorded_calibration(image);
+    if (!config.fx_px || !config.fy_px || !config.cx_px || !config.cy_px)
+        fit_size(recorded, width_px, height_px);
+    CameraReading reading{merged(recorded, config, width_px, height_px), std::move(recorded.notes)};
+    const CameraModel& c = reading.camera;
+    const double off = off_centre(c.cx_px, c.cy_px, width_px, height_px);
+    const double exchanged = off_centre(c.cy_px, c.cx_px, width_px, height_px);
+    if (off > off_centre_max || off - exchanged > exchanged_min)
+        reading.notes.emplace_back("principal_point_off_centre");
+    reading.camera = turned(reading.camera, config);
+    return reading;
 }
 
 CameraModel field_camera(const CameraModel& frame, bool bottom) {

@@ -12,6 +12,7 @@
 #include "camera_image.h"
 #include "flownav/io/camera_conversion.h"
 #include "grey_image.h"
+#include "turned_image.h"
 
 namespace flownav::io {
 namespace {
@@ -89,44 +90,47 @@ void EventMaker::consume(const CObservation::Ptr& observation,
     const auto truth = std::dynamic_pointer_cast<CObservationRobotPose>(observation);
     if (image) {
         consume_image(image, images_directory);
-    } else if (odometry && label == "ODOMETRY") {
-        consume_pose(sample_of(*odometry), "odometry_");
-    } else if (truth && label == "GROUND_TRUTH") {
-        consume_pose(sample_of(*truth), "ground_truth_");
+    } else if (odometry && label == input_.odometry_label) {
+        consume_pose(sample_of(*odometry));
+    } else if (truth && label == input_.truth_label) {
+        consume_pose(sample_of(*truth));
     } else if (is_gyro(*observation)) {
         consume_gyro(rate_of(dynamic_cast<const CObservationIMU&>(*observation)));
     } else {
         ++counts_.ignored;
     }
+    drain();
 }
 
-bool EventMaker::accept_time(const std::string& kind, double timestamp_s) {
-    const auto last = last_time_s_.find(kind);
-    const bool first = last == last_time_s_.end();
-    std::string reason;
-    if (std::isnan(timestamp_s)) {
-        reason = "time_invalid";
-    } else if (!first && timestamp_s == last->second) {
-        reason = "time_repeated";
-    } else if (!first && timestamp_s < last->second) {
-        reason = "time_backwards";
-    }
-    if (reason.empty()) {
-        last_time_s_[kind] = timestamp_s;
-    } else {
-        ++counts_.rejected[kind + reason];
-    }
-    return reason.empty();
+void EventMaker::finish() {
+    times_.finish(counts_);
+    drain();
+    hand_out(splitter_.finish());
 }
 
-void EventMaker::consume_pose(const PoseSample& sample, const std::string& kind) {
+/// Hands out the events whose times are decided.
+void EventMaker::drain() {
+    while (const auto event = times_.pop()) {
+        if (const auto* field = std::get_if<Field>(&*event)) {
+            note_changes(field->camera);
+            hand_out(splitter_.push(*field));
+            continue;
+        }
+        if (const auto* pose = std::get_if<PoseSample>(&*event))
+            ++(pose->source == PoseSample::Source::Odometry ? counts_.odometry : counts_.ground_truth);
+        if (std::holds_alternative<GyroRate>(*event)) ++counts_.gyro;
+        waiting_.push_back(*event);
+    }
+}
+
+void EventMaker::consume_pose(PoseSample sample) {
+    const bool wheels = sample.source == PoseSample::Source::Odometry;
     if (!finite(sample.pose)) {
-        ++counts_.rejected[kind + "not_finite"];
+        ++counts_.rejected[wheels ? "odometry_not_finite" : "ground_truth_not_finite"];
         return;
     }
-    if (!accept_time(kind, sample.timestamp_s)) return;
-    ++(sample.source == PoseSample::Source::Odometry ? counts_.odometry : counts_.ground_truth);
-    waiting_.emplace_back(sample);
+    if (wheels) sample.timestamp_s += input_.odometry_offset_s;
+    times_.push(sample, counts_);
 }
 
 /// True for a turn rate of the first gyro.
@@ -142,9 +146,7 @@ void EventMaker::consume_gyro(const GyroRate& reading) {
         ++counts_.rejected["gyro_not_finite"];
         return;
     }
-    if (!accept_time("gyro_", reading.timestamp_s)) return;
-    ++counts_.gyro;
-    waiting_.emplace_back(reading);
+    times_.push(reading, counts_);
 }
 
 void EventMaker::consume_image(const CObservationImage::Ptr& image,
@@ -160,26 +162,21 @@ void EventMaker::consume_image(const CObservationImage::Ptr& image,
     }
     Field frame;
     frame.timestamp_s = seconds(*image);
-    frame.camera = camera_model(*image, camera_, grey.view.width_px, grey.view.height_px);
-    if (!accept_time("", frame.timestamp_s)) return;
-    frame.image = grey.view;
-    frame.owner = grey.owner;
-    note_changes(frame, *image);
-    hand_out(splitter_.push(frame));
+    const CameraReading reading = read_camera(*image, camera_, grey.view.width_px, grey.view.height_px);
+    frame.camera = reading.camera;
+    if (frame.timestamp_s == std::floor(frame.timestamp_s)) ++counts_.details["images_at_whole_seconds"];
+    for (const std::string& note : reading.notes) ++counts_.warnings[note];
+    const GreyImage used = turned(grey, camera_);
+    frame.image = used.view;
+    frame.owner = used.owner;
+    times_.push(frame, counts_);
 }
 
 void EventMaker::hand_out(const std::vector<Field>& fields) {
     waiting_.insert(waiting_.end(), fields.begin(), fields.end());
 }
 
-void EventMaker::note_changes(const Field& frame, const CObservationImage& image) {
-    const CameraModel& now = frame.camera;
-    const auto ncols = static_cast<int>(image.cameraParams.ncols);
-    const auto nrows = static_cast<int>(image.cameraParams.nrows);
-    const bool recorded_used = !camera_.fx_px || !camera_.fy_px;
-    if (recorded_used && (ncols != now.width_px || nrows != now.height_px)) {
-        ++counts_.warnings["calibration_of_another_size"];
-    }
+void EventMaker::note_changes(const CameraModel& now) {
     if (last_camera_ &&
         (last_camera_->width_px != now.width_px || last_camera_->height_px != now.height_px)) {
         ++counts_.warnings["image_size_changed"];

@@ -27,6 +27,7 @@ void FieldSource::advance() {
         }
     } catch (const config::ConfigError&) {
         error_ = std::current_exception();
+        maker_.finish();
     }
     while (const auto event = maker_.next()) order_.push(*event);
     if (finished_ || error_) order_.flush();

@@ -7,6 +7,13 @@ namespace flownav::pipeline {
 namespace {
 
 constexpr int confident_min = 12;          // vectors; fewer mean no texture
+// Changes of a robot's motion between two fields, at the most: per second, and beyond that by errors of the
+// flow.
+constexpr double accel_max_mps2 = 15.0;
+constexpr double alpha_max_radps2 = 60.0;
+constexpr double v_floor_mps = 0.3;
+constexpr double omega_floor_radps = 0.5;
+constexpr double change_share = 0.3;
 constexpr double speed_drift_per_s = 0.3;  // relative; growth of the error of a speed that is carried over
 
 /// The part of an interval during which a motion is still carried over that was not measured for `held_s`
@@ -36,6 +43,22 @@ EgoMotion counted_motion(const EgoMotion& motion, const EgoMotion& before, const
     if (parts.turn_s < interval_s) counted.omega_rad = before.omega_rad + rates.omega_radps * parts.turn_s;
     if (parts.way_s < interval_s) counted.forward_m = before.forward_m + rates.v_mps * parts.way_s;
     return counted;
+}
+
+/// The value, kept within what a robot can change since `before_s`: a wrong time stamp makes any speed.
+double reachable(double value, double before, double change_per_s, double before_s, double floor) {
+    const double most = change_per_s * before_s + std::max(floor, change_share * std::abs(before));
+    return std::clamp(value, before - most, before + most);
+}
+
+/// The rates to predict from.
+void limit_to_a_robot(Rates& rates, const Rates& before, double since_last_s) {
+    if (before.known)
+        rates.omega_radps = reachable(rates.omega_radps, before.omega_radps, alpha_max_radps2,
+                                      before.held_s + since_last_s, omega_floor_radps);
+    if (before.v_known)
+        rates.v_mps = reachable(rates.v_mps, before.v_mps, accel_max_mps2, before.v_held_s + since_last_s,
+                                v_floor_mps);
 }
 
 }  // namespace
@@ -86,6 +109,7 @@ IntegratedMotion integrate(const AcceptedMotion& accepted, const Odometry& odome
 
     out.omega_radps = parts.turn_s > 0.0 ? out.rates.omega_radps : 0.0;
     out.v_mps = parts.way_s > 0.0 ? out.rates.v_mps : 0.0;
+    limit_to_a_robot(out.rates, before, elapsed.last_s);
     out.pitch_rate_radps = (motion.pitch_rad - odometry.measured.pitch_rad) / since_measured_s;
     return out;
 }

@@ -2,6 +2,7 @@
 
 #include <sched.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -34,7 +35,7 @@ std::uint64_t bytes_of(const Field& field) {
 }
 
 void read_fields(io::RawlogReader& reader, const RealtimeOptions& options, Recording& recording) {
-    io::FieldSource source(reader, options.config.camera);
+    io::FieldSource source(reader, options.config.camera, options.config.input);
     std::uint64_t bytes = 0;
     while (auto event = source.next()) {
         auto* field = std::get_if<Field>(&*event);
@@ -66,6 +67,32 @@ Recording read_recording(const RealtimeOptions& options) {
         recording.problem = error.what();
     }
     return recording;
+}
+
+/// Times of the fields with every pause cut to `pause_max_s`, in which nothing would happen.
+struct PlayedTimes {
+    std::vector<double> times_s;
+    std::uint64_t cut = 0;  ///< pauses
+    double cut_s = 0.0;
+};
+
+PlayedTimes played_times(const std::vector<Field>& fields, double pause_max_s) {
+    PlayedTimes played;
+    for (const Field& field : fields) {
+        const double time_s = field.timestamp_s - played.cut_s;
+        const double pause_s = played.times_s.empty() ? 0.0 : time_s - played.times_s.back();
+        const double over_s = std::max(0.0, pause_s - pause_max_s);
+        if (over_s > 0.0) ++played.cut;
+        played.cut_s += over_s;
+        played.times_s.push_back(time_s - over_s);
+    }
+    return played;
+}
+
+/// Pauses up to this last as long as recorded. A longer one must still begin a new chain.
+double pause_max_s(const config::Config& config) {
+    constexpr double longest_wait_s = 2.0;
+    return std::max(longest_wait_s, 2.0 * config.pipeline.rate.gap_max_s);
 }
 
 /// Clock that sleeps on the system's steady clock. Late wake-ups count as latency, as in a robot's program.
@@ -101,15 +128,13 @@ class Chain {
     mapping::LocalMap map_;
 };
 
-PacedFields play(const std::vector<Field>& fields, const RealtimeOptions& options) {
-    std::vector<double> times_s;
-    times_s.reserve(fields.size());
-    for (const Field& field : fields) times_s.push_back(field.timestamp_s);
-    const RepeatedTimes times(times_s);
+PacedFields play(const std::vector<Field>& fields, const PlayedTimes& played,
+                 const RealtimeOptions& options) {
+    const RepeatedTimes times(played.times_s);
     Chain chain(options.config);
     const auto work = [&](std::uint64_t n) {
         Field field = fields[times.field(n)];
-        field.timestamp_s = times_s.front() + times.after_start_s(n);
+        field.timestamp_s = played.times_s.front() + times.after_start_s(n);
         chain.take(field);
     };
     const std::uint64_t count = times.count_within(options.duration_s.value_or(times.once_s()));
@@ -165,11 +190,19 @@ ReplayResult run(const RealtimeOptions& options) {
     if (recording.fields.back().timestamp_s <= recording.fields.front().timestamp_s)
         throw config::ConfigError(options.input.string() + ": its fields do not follow each other in time");
     if (!options.output.empty()) io::make_output_folder(options.output);
-    const PacedFields paced = play(recording.fields, options);
+    const PlayedTimes played = played_times(recording.fields, pause_max_s(options.config));
+    const PacedFields paced = play(recording.fields, played, options);
     const LatencyFigures figures = latency_figures(paced.latencies_s);
     if (!options.output.empty())
         io::write_file(options.output / "realtime.json", to_json(paced, figures, options));
     result.outcome = to_words(paced, figures);
+    if (played.cut > 0) {
+        result.warnings.push_back(std::to_string(played.cut) +
+                                  (played.cut == 1 ? " pause was" : " pauses were") + " cut short by " +
+                                  cli::fixed_text(played.cut_s, 1) +
+                                  " s in all: --realtime waits for no more than " +
+                                  cli::fixed_text(pause_max_s(options.config), 1) + " s");
+    }
     return result;
 }
 

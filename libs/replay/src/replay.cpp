@@ -10,7 +10,6 @@
 #include "flownav/cli/usage_error.h"
 #include "flownav/config/make_state.h"
 #include "flownav/evaluation/drive.h"
-#include "flownav/evaluation/motion_sources.h"
 #include "flownav/evaluation/profiler.h"
 #include "flownav/io/decode_ahead.h"
 #include "flownav/io/input_path.h"
@@ -112,7 +111,7 @@ class Run {
     }
 
     void read_events(io::RawlogReader& reader) {
-        io::FieldSource source(reader, options_.config.camera);
+        io::FieldSource source(reader, options_.config.camera, options_.config.input);
         std::optional<io::DecodeAhead> ahead;
         if (several_threads()) start(ahead, source, reader);
         cli::Progress progress(std::cout, options_.progress);
@@ -199,36 +198,34 @@ class Run {
             drive_.ground_truth_errors = evaluation::compare(drive_.rows, drive_.ground_truth);
         drive_.camera_check = checker_.result(drive_.odometry);
         drive_.field_faults = state_.last_step().faults;
-        add_warnings();
+        const mapping::GlobalMap& map = outputs_->global_map();
+        drive_.findings = evaluation::judge(
+            drive_, options_.config, evaluation::map_warning(map.sets(), map.sets_outside(), map.half_m()));
         clock_.report(timing_);
         outputs_->finish(drive_, thumbnail_strip_, options_.timing_in_report ? &timing_ : nullptr);
     }
 
-    cli::ExitStatus status() const {
-        const bool whole = drive_.end.kind == io::ReadEnd::Kind::Clean && drive_.stop_reason.empty();
-        return whole ? cli::ExitStatus::Fine : cli::ExitStatus::Input;
+    bool is_whole() const {
+        return drive_.end.kind == io::ReadEnd::Kind::Clean && drive_.stop_reason.empty();
     }
 
-    void add_warnings() {
-        const mapping::GlobalMap& map = outputs_->global_map();
-        for (const std::string& warning : evaluation::sensor_warnings(drive_.rows))
-            drive_.warnings.push_back(warning);
-        for (const std::string& warning :
-             {evaluation::carried_warning(evaluation::carried_time(drive_.rows),
-                                          options_.config.pipeline.rate.carry_max_s),
-              evaluation::map_warning(map.sets(), map.sets_outside(), map.half_m())}) {
-            if (!warning.empty()) drive_.warnings.push_back(warning);
-        }
+    cli::ExitStatus status() const {
+        const auto is_serious = [this](const evaluation::Finding& finding) {
+            return finding.loses_data || options_.strict;
+        };
+        const bool fine =
+            is_whole() && std::none_of(drive_.findings.begin(), drive_.findings.end(), is_serious);
+        return fine ? cli::ExitStatus::Fine : cli::ExitStatus::Input;
     }
 
     std::vector<std::string> warnings() const {
-        std::vector<std::string> all = drive_.warnings;
-        all.insert(all.end(), drive_.camera_check.warnings.begin(), drive_.camera_check.warnings.end());
+        std::vector<std::string> all;
+        for (const evaluation::Finding& finding : drive_.findings) all.push_back(finding.sentence);
         return all;
     }
 
     std::string message() const {
-        if (status() == cli::ExitStatus::Fine) return "";
+        if (is_whole()) return "";
         return evaluation::end_sentence(drive_);
     }
 

@@ -53,8 +53,7 @@ std::string short_facts(const evaluation::Drive& drive) {
 std::string beginning(const evaluation::Drive& drive) {
     std::string html =
         box(std::string(evaluation::end_word(drive)) == "clean", evaluation::end_sentence(drive));
-    for (const std::string& warning : drive.warnings) html += box(false, warning);
-    for (const std::string& warning : drive.camera_check.warnings) html += box(false, warning);
+    for (const evaluation::Finding& finding : drive.findings) html += box(false, finding.sentence);
     return html + short_facts(drive);
 }
 

@@ -114,7 +114,7 @@ std::string rejected(const io::InputCounts& read) {
         rows += row({reason, number(count), {"left out"}, {reason_words(reason)}}, "rejected." + reason);
     for (const auto& [warning, count] : read.warnings) {
         rows += row({warning, number(count), {"used all the same"}, {reason_words(warning)}},
-                    "warnings." + warning);
+                    "used_nevertheless." + warning);
     }
     if (rows.empty()) return html::paragraph("Nothing was rejected.");
     return html::table({{"reason"}, {"count", true}, {"what became of it"}, {"in words"}}, rows);

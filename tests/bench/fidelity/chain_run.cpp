@@ -11,7 +11,7 @@ CameraModel believed(const CameraModel& camera, const config::CameraConfig& conf
     mrpt::obs::CObservationImage recorded;
     recorded.cameraParams = io::camera_params(camera);
     recorded.cameraPose = io::camera_pose(camera.mount);
-    return io::camera_model(recorded, config, camera.width_px, camera.height_px);
+    return io::read_camera(recorded, config, camera.width_px, camera.height_px).camera;
 }
 
 /// A reading of the wheels at each image; none for a drive without wheels.

@@ -10,11 +10,12 @@ namespace flownav::evaluation {
 namespace {
 
 /// What the checker says of a drive that is seen with a wrong mount.
-CameraCheck check_of(double pitch_error_deg, double height_factor, double odometry_factor = 1.0) {
+CameraCheck check_of(double pitch_error_deg, double height_factor, double odometry_factor = 1.0,
+                     double speed_mps = 0.6) {
     testing::SceneOptions options;
     options.kind = testing::SceneKind::Straight;
     options.images = 100;
-    options.speed_mps = 0.6;
+    options.speed_mps = speed_mps;
     options.camera = testing::standard_camera(320, 240);
     const testing::Scene scene = testing::make_scene(options);
     pipeline::Params params;
@@ -69,6 +70,13 @@ TEST(CameraCheck, AHundredTimesTooHighLooksLikeCentimetres) {
     const CameraCheck far = check_of(0.0, 20.0, 0.2);
     ASSERT_EQ(far.warnings.size(), 1U);
     EXPECT_NE(far.warnings.front().find("centimetres"), std::string::npos) << far.warnings.front();
+}
+
+TEST(CameraCheck, ARobotThatCrawlsDeterminesNoPose) {
+    const CameraCheck check = check_of(0.0, 1.0, 1.0, 0.02);
+    EXPECT_STREQ(check.verdict, "not_determined");
+    EXPECT_EQ(check.pairs, 0);
+    EXPECT_TRUE(check.warnings.empty());
 }
 
 TEST(CameraCheck, WithoutADriveNothingIsDetermined) {

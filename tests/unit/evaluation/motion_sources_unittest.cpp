@@ -30,24 +30,24 @@ TEST(MotionSources, CountsFieldsBySourceAndTheTimeOfAContradiction) {
 }
 
 TEST(MotionSources, AContradictionIsASentenceWithTimeRatioAndKey) {
-    const auto warnings = sensor_warnings(rows_with_contradiction(10));
-    ASSERT_EQ(warnings.size(), 1U);
+    const auto findings = sensor_findings(rows_with_contradiction(10));
+    ASSERT_EQ(findings.size(), 1U);
     for (const char* part : {"the way of the wheels", "1.0 s", "-1.00", "motion.wheels = off"})
-        EXPECT_NE(warnings[0].find(part), std::string::npos) << part << " in: " << warnings[0];
+        EXPECT_NE(findings[0].sentence.find(part), std::string::npos) << part << " in: " << findings[0].sentence;
 }
 
 TEST(MotionSources, ReadingsOfAnotherClockAreASentence) {
     std::vector<FieldRow> rows = rows_with_contradiction(20);
     for (FieldRow& row : rows) row.other_sensors.gyro.agreement = SensorAgreement::NotInTime;
-    const auto warnings = sensor_warnings(rows);
-    ASSERT_EQ(warnings.size(), 1U);
+    const auto findings = sensor_findings(rows);
+    ASSERT_EQ(findings.size(), 1U);
     for (const char* part : {"the gyro", "1.9 s", "one clock", "motion.gyro = off"})
-        EXPECT_NE(warnings[0].find(part), std::string::npos) << part << " in: " << warnings[0];
+        EXPECT_NE(findings[0].sentence.find(part), std::string::npos) << part << " in: " << findings[0].sentence;
 }
 
 TEST(MotionSources, SensorsThatAgreeAreNoSentence) {
-    EXPECT_TRUE(sensor_warnings(rows_with_contradiction(20)).empty());
-    EXPECT_TRUE(sensor_warnings({}).empty());
+    EXPECT_TRUE(sensor_findings(rows_with_contradiction(20)).empty());
+    EXPECT_TRUE(sensor_findings({}).empty());
 }
 
 }  // namespace

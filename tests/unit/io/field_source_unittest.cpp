@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationStereoImages.h>
 #include <mrpt/system/datetime.h>
 
 #include <cmath>
@@ -381,6 +382,149 @@ TEST(FieldSource, IntensityImageOfADepthCameraIsAnImage) {
     EXPECT_NEAR(camera.mount.height_m, 0.7, 1e-9);
     depth->hasIntensityImage = false;
     EXPECT_EQ(read({depth}).counts.ignored, 1U);
+}
+
+TEST(FieldSource, TheLeftImageOfAStereoCameraIsAnImage) {
+    auto stereo = mrpt::obs::CObservationStereoImages::Create();
+    stereo->timestamp = mrpt::Clock::fromDouble(1.0);
+    stereo->sensorLabel = "CAMERA1";
+    stereo->cameraPose = mrpt::poses::CPose3DQuat(image_at(1)->cameraPose);
+    stereo->imageLeft = image_at(1)->image;
+    stereo->leftCamera = image_at(1)->cameraParams;
+    const auto result = read({stereo});
+    ASSERT_EQ(result.fields.size(), 1U);
+    EXPECT_DOUBLE_EQ(result.fields[0].camera.fx_px, 60);
+    EXPECT_NEAR(result.fields[0].camera.mount.pitch_rad, 10 * degree_rad, 1e-9);
+    EXPECT_NEAR(result.fields[0].camera.mount.height_m, 0.5, 1e-9);
+}
+
+/// A calibrated image whose intrinsics are all different.
+mrpt::obs::CObservationImage::Ptr uneven_image(double timestamp_s) {
+    auto image = image_at(timestamp_s);
+    image->cameraParams.setIntrinsicParamsFromValues(60, 50, 30, 25);
+    image->cameraParams.setDistortionPlumbBob(-0.1, 0.02, 0.003, 0.004, 0.0);
+    return image;
+}
+
+TEST(FieldSource, ATurnedOrMirroredImageShowsEveryPointUnderTheSameRay) {
+    const auto recorded = read({uneven_image(1)}).fields.at(0);
+    config::CameraConfig config;
+    for (const bool mirror : {false, true}) {
+        for (const int rotate_deg : {0, 90, 180, 270}) {
+            config.mirror = mirror;
+            config.rotate_deg = rotate_deg;
+            const Field used = read({uneven_image(1)}, config).fields.at(0);
+            CameraModel level = recorded.camera, turned = used.camera;
+            level.mount.pitch_rad = turned.mount.pitch_rad = 0.0;
+            const Eigen::Vector2i at(11, 17);  // of the recorded image
+            Eigen::Vector2d ray = RayMapper(level).ray(at.cast<double>());
+            int u = at.x(), v = at.y(), width = 64, height = 48;
+            if (mirror) u = width - 1 - u, ray.x() = -ray.x();
+            for (int turn = 0; turn < rotate_deg; turn += 90) {
+                const int from_u = u;
+                u = height - 1 - v;
+                v = from_u;
+                std::swap(width, height);
+                ray = Eigen::Vector2d(-ray.y(), ray.x());
+            }
+            EXPECT_EQ(used.image.width_px, width);
+            EXPECT_EQ(used.image.height_px, height);
+            EXPECT_EQ(used.image.at(u, v), recorded.image.at(at.x(), at.y())) << mirror << rotate_deg;
+            EXPECT_LT((RayMapper(turned).ray({u, v}) - ray).norm(), 1e-9) << mirror << rotate_deg;
+        }
+    }
+}
+
+TEST(FieldSource, MaskedRowsAtTheBottomOrTopAreCutOff) {
+    config::CameraConfig config;
+    config.masked_rows = config::RowRange{40, 47};
+    const Field upper = read({image_at(1)}, config).fields.at(0);
+    EXPECT_EQ(upper.image.height_px, 40);
+    EXPECT_EQ(upper.camera.height_px, 40);
+    EXPECT_DOUBLE_EQ(upper.camera.cy_px, 23.5);
+    config.masked_rows = config::RowRange{0, 9};
+    const Field lower = read({image_at(1)}, config).fields.at(0);
+    EXPECT_EQ(lower.image.height_px, 38);
+    EXPECT_DOUBLE_EQ(lower.camera.cy_px, 13.5);
+    EXPECT_EQ(lower.image.at(5, 0), read({image_at(1)}).fields.at(0).image.at(5, 10));
+    config.masked_rows = config::RowRange{20, 30};
+    expect_names(config_error({image_at(1)}, config), {"camera.mask = 20 30", "47"});
+    config.masked_rows = config::RowRange{4, 47};
+    expect_names(config_error({image_at(1)}, config), {"camera.mask = 4 47", "4 of 48 rows"});
+}
+
+TEST(FieldSource, ACalibrationForAnotherSizeOfTheSameShapeIsScaled) {
+    auto image = image_at(1);
+    image->cameraParams.ncols = 128;
+    image->cameraParams.nrows = 96;
+    image->cameraParams.setIntrinsicParamsFromValues(120, 100, 63.5, 47.5);
+    const auto result = read({image});
+    const CameraModel& camera = result.fields.at(0).camera;
+    EXPECT_DOUBLE_EQ(camera.fx_px, 60);
+    EXPECT_DOUBLE_EQ(camera.fy_px, 50);
+    EXPECT_DOUBLE_EQ(camera.cx_px, 31.5);
+    EXPECT_DOUBLE_EQ(camera.cy_px, 23.5);
+    EXPECT_EQ(result.counts.warnings.at("calibration_scaled"), 1U);
+}
+
+TEST(FieldSource, ACalibrationForAnotherShapeIsAnErrorThatNamesBothSizes) {
+    auto image = image_at(1);
+    image->cameraParams.ncols = 128;
+    image->cameraParams.nrows = 72;
+    image->cameraParams.setIntrinsicParamsFromValues(120, 100, 63.5, 35.5);
+    expect_names(config_error({image}), {"128 x 72", "64 x 48", "camera.fx_px"});
+}
+
+TEST(FieldSource, APrincipalPointOfAnotherSizeIsNoted) {
+    auto image = image_at(1);
+    image->cameraParams.setIntrinsicParamsFromValues(120, 100, 63.5, 47.5);
+    EXPECT_EQ(read({image}).counts.warnings.at("principal_point_off_centre"), 1U);
+    EXPECT_EQ(read({image_at(1)}).counts.warnings.count("principal_point_off_centre"), 0U);
+}
+
+TEST(FieldSource, APoseWithXForwardIsConverted) {
+    auto image = image_at(1);
+    image->cameraPose =
+        mrpt::poses::CPose3D(0.1, 0.02, 0.5, 2 * degree_rad, 25 * degree_rad, -3 * degree_rad);
+    const auto result = read({image});
+    const CameraMount& mount = result.fields.at(0).camera.mount;
+    EXPECT_NEAR(mount.pitch_rad, 25 * degree_rad, 1e-9);
+    EXPECT_NEAR(mount.yaw_rad, 2 * degree_rad, 1e-9);
+    EXPECT_NEAR(mount.roll_rad, -3 * degree_rad, 1e-9);
+    EXPECT_NEAR(mount.height_m, 0.5, 1e-9);
+    EXPECT_EQ(result.counts.warnings.at("pose_x_forward"), 1U);
+}
+
+TEST(FieldSource, APoseThatIsUpsideDownNamesTheKeyThatTurnsTheImage) {
+    for (const auto& [roll_deg, rotate_deg] : {std::pair{180, 180}, std::pair{92, 90}, std::pair{-91, 270}}) {
+        expect_names(config_error_of_pose(0, 0.5, 0, 10, roll_deg),
+                     {"camera.rotate = ", std::to_string(rotate_deg).c_str()});
+        auto image = image_at(1);
+        image->cameraPose = mrpt::poses::CPose3D(0, 0, 0.5, 0, 10 * degree_rad, roll_deg * degree_rad) +
+                            mrpt::poses::CPose3D(0, 0, 0, -90 * degree_rad, 0, -90 * degree_rad);
+        config::CameraConfig config;
+        config.rotate_deg = rotate_deg;
+        const CameraMount mount = read({image}, config).fields.at(0).camera.mount;
+        EXPECT_NEAR(mount.pitch_rad, 10 * degree_rad, 1e-9);
+        EXPECT_LT(std::abs(mount.roll_rad), 3 * degree_rad);
+    }
+}
+
+TEST(FieldSource, OdometryAndGroundTruthOfOtherLabelsAreReadByTheirKeys) {
+    auto wheels = odometry_at(1.0, 0.5);
+    wheels->sensorLabel = "wheel odom";
+    auto truth = truth_at(1.0, 0.5);
+    truth->sensorLabel = "mocap";
+    const auto file = test_folder() / "input.rawlog";
+    write_bytes(file, gz(serialized({wheels, truth, odometry_at(1.1, 9.0)})));
+    RawlogReader reader(file);
+    FieldSource source(reader, {}, {"wheel odom", "mocap", 2.0});
+    std::vector<PoseSample> poses;
+    while (const auto event = source.next()) poses.push_back(std::get<PoseSample>(*event));
+    ASSERT_EQ(poses.size(), 2U);
+    EXPECT_NEAR(poses[0].timestamp_s, 3.0, 1e-6);  // by the offset of the odometry
+    EXPECT_NEAR(poses[1].timestamp_s, 1.0, 1e-6);
+    EXPECT_EQ(source.counts().ignored, 1U);
 }
 
 TEST(FieldSource, OtherLabelsAreIgnoredAndListed) {

@@ -117,5 +117,16 @@ TEST(LosingAndFinding, ATurnThatBeginsWithinACycleIsMeasuredAsWell) {
     }
 }
 
+TEST(LosingAndFinding, AStampThatIsWrongMakesNoTravel) {
+    const auto scene = drive_with(16, [](int) { return std::pair(0.4, 0.0); });
+    const double way_m = scene.poses.back().x_m;
+    for (std::size_t wrong = 3; wrong < 14; ++wrong) {
+        auto fields = render_fields(scene);
+        fields[wrong].timestamp_s += 0.039;
+        const auto steps = testing::run(fields, testing::cycles_of(2));
+        EXPECT_NEAR(steps.back().T_start_robot.x_m, way_m, 0.03 * way_m) << wrong;
+    }
+}
+
 }  // namespace
 }  // namespace flownav

@@ -15,6 +15,11 @@ namespace flownav::config {
 
 enum class Interlaced { None, TopFirst, BottomFirst };
 
+/// Rows of an image, both ends included.
+struct RowRange {
+    int first = 0, last = 0;
+};
+
 /// The section [camera]. An empty optional ("recorded" in the ini) leaves the value of the recording.
 struct CameraConfig {
     std::string camera_label = "CAMERA1";
@@ -23,11 +28,22 @@ struct CameraConfig {
     std::optional<double> fx_px, fy_px, cx_px, cy_px;  ///< of the image as recorded (a whole frame if woven)
     std::optional<LensCoefficients> distortion;        ///< of `lens`
     std::string lens = brown_conrady().name();         ///< name of a registered lens
+    int rotate_deg = 0;   ///< clockwise turn of each image as it is read: 0, 90, 180 or 270
+    bool mirror = false;  ///< exchange left and right of each image as it is read, before it is turned
+    std::optional<RowRange> masked_rows;  ///< of the turned image: show the robot itself, and are cut off
+};
+
+/// The section [input]: labels and clock of the recording's poses.
+struct InputConfig {
+    std::string odometry_label = "ODOMETRY";
+    std::string truth_label = "GROUND_TRUTH";
+    double odometry_offset_s = 0.0;  ///< added to the times of the odometry
 };
 
 /// All settings of the ini.
 struct Config {
     CameraConfig camera;
+    InputConfig input;
     pipeline::Params pipeline;
     mapping::MapParams map;
     NavigationParams navigation;

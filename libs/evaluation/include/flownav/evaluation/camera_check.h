@@ -36,6 +36,8 @@ class CameraChecker {
     CameraCheck result(const PoseTrack& odometry) const;
 
   private:
+    void compare(const Field& field, const pipeline::Step& step);
+
     Geometry geometry_;
     CameraMount mount_;
     PoseSum sum_{8};

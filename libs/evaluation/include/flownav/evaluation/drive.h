@@ -8,6 +8,7 @@
 #include "flownav/core/field_status.h"
 #include "flownav/evaluation/camera_check.h"
 #include "flownav/evaluation/field_row.h"
+#include "flownav/evaluation/findings.h"
 #include "flownav/evaluation/metrics.h"
 #include "flownav/evaluation/pose_track.h"
 #include "flownav/evaluation/timing.h"
@@ -37,8 +38,8 @@ struct Drive {
     io::InputCounts read;
     WrittenCounts written;
     std::vector<FieldRow> rows;
-    FieldFaultCounts field_faults{};    ///< reasons of the status bad_field
-    std::vector<std::string> warnings;  ///< sentences about limited results
+    FieldFaultCounts field_faults{};  ///< reasons of the status bad_field
+    std::vector<Finding> findings;    ///< of everything that limits the results
     PoseTrack odometry;
     PoseTrack ground_truth;
     std::optional<Errors> odometry_errors;      ///< empty when the rawlog has no odometry
@@ -71,6 +72,10 @@ std::string carried_warning(const CarriedTime& carried, double carry_max_s);
 /// Warning when cycles were left out of the map because the robot was more than `half_m` from the start; else
 /// empty.
 std::string map_warning(int sets, int sets_outside, double half_m);
+
+/// Everything that limits the results of a drive: what was read, what became of it, what contradicts it, in
+/// the order of their weight. Needs all other parts of the drive. `map_warning`: see above.
+std::vector<Finding> judge(const Drive& drive, const config::Config& config, const std::string& map_warning);
 
 /// Explanation of a status for reports.
 const char* explain(FieldStatus status);

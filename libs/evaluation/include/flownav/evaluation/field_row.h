@@ -32,6 +32,7 @@ struct FieldRow {
     bool starts_reference = false;  ///< this field is the reference of the next ones
     double omega_radps = 0.0;
     double v_mps = 0.0;
+    double pitch_rate_radps = 0.0;
     MotionSource omega_source = MotionSource::Prediction;
     MotionSource forward_source = MotionSource::Prediction;
     SensorChecks other_sensors;

@@ -1,10 +1,10 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "flownav/evaluation/field_row.h"
+#include "flownav/evaluation/findings.h"
 
 namespace flownav::evaluation {
 
@@ -29,7 +29,7 @@ struct MotionSources {
 
 MotionSources motion_sources(const std::vector<FieldRow>& rows);
 
-/// One sentence for each sensor that contradicted the flow, or whose times do not fit those of the fields.
-std::vector<std::string> sensor_warnings(const std::vector<FieldRow>& rows);
+/// One finding for each sensor that contradicted the flow, or whose times do not fit those of the fields.
+std::vector<Finding> sensor_findings(const std::vector<FieldRow>& rows);
 
 }  // namespace flownav::evaluation

@@ -20,6 +20,7 @@ class PoseTrack {
     void add(double timestamp_s, const mrpt::math::TPose3D& pose);
     bool empty() const { return samples_.empty(); }
     std::size_t size() const { return samples_.size(); }
+    const std::vector<TimedPose>& samples() const { return samples_; }
 
     /// Sorts the samples; at() and aligned() need it after the last add().
     void finish();

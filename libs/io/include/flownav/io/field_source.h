@@ -15,7 +15,9 @@ using ReplayEvent = SensorEvent;
 /// field comes after the first reading of wheels and gyro that is not before it, see ReadingsFirst.
 class FieldSource {
   public:
-    FieldSource(RawlogReader& reader, const config::CameraConfig& camera) : reader_(reader), maker_(camera) {}
+    FieldSource(RawlogReader& reader, const config::CameraConfig& camera,
+                const config::InputConfig& input = {})
+        : reader_(reader), maker_(camera, input) {}
 
     /// Continues in the state of another source whose reader stood where `reader` stands now; `like` may have
     /// reached its end.

@@ -15,6 +15,7 @@ struct ReplayOptions {
     std::filesystem::path output;  ///< folder, created when it is missing; its output files are overwritten
     config::Config config;
     OptionalOutputs optional;
+    bool strict = false;            ///< every warning makes the status Input
     bool timing_in_report = false;  ///< true makes report.html differ between runs
     cli::Progress::Style progress = cli::Progress::Style::Silent;  ///< written to the standard output
 };
@@ -22,7 +23,7 @@ struct ReplayOptions {
 struct ReplayResult {
     cli::ExitStatus status = cli::ExitStatus::Fine;
     std::string message;                ///< problem, place and advice; empty when there is none
-    std::vector<std::string> warnings;  ///< sentences about limited results and the camera's pose
+    std::vector<std::string> warnings;  ///< sentences of evaluation::judge()
     std::string outcome;                ///< summary in one line; empty when no file was written
 };
 
