@@ -15,6 +15,8 @@ constexpr double path_share = 0.04;  // larger differences of the two lengths ar
 constexpr double path_floor_m = 0.03;
 constexpr double turn_min_rad = 15.0 * degree_rad;
 constexpr double turn_share = 0.06;
+constexpr double drift_min_rad = 3.0 * degree_rad;
+constexpr double drift_share = 0.03;  // of all turns
 constexpr double jump_min_mps = 2.0;  // between two poses of the track; far beyond its other speeds
 constexpr double jump_min_radps = 6.0;
 constexpr double jump_factor = 4.0;
@@ -273,15 +275,27 @@ class TrackJudge {
         }
     }
 
+    void judge_drift(double drift_rad) {
+        tell(name_key() + "_heading",
+             "the heading of the flow ends " + cli::fixed_text(std::abs(deg(drift_rad)), 1) +
+                 (drift_rad > 0 ? " deg to the left" : " deg to the right") + " of that of the " + name_ +
+                 ": check camera.yaw_deg, camera.roll_deg, the calibration, and the "
+                 "scale of the turns of the " +
+                 name_);
+    }
+
     void judge_turn() {
-        double products = 0.0, squares = 0.0, amount_rad = 0.0;
+        double products = 0.0, squares = 0.0, amount_rad = 0.0, drift_rad = 0.0;
         for (const Chunk& chunk : chunks_) {
             const auto other = motion_of(track_, chunk);
             if (!other || !chunk.turn_by_flow) continue;
             products += chunk.flow.yaw_rad * other->yaw_rad;
             squares += other->yaw_rad * other->yaw_rad;
             amount_rad += std::abs(other->yaw_rad);
+            drift_rad += chunk.flow.yaw_rad - other->yaw_rad;
         }
+        const bool drifts = std::abs(drift_rad) > std::max(drift_min_rad, drift_share * amount_rad);
+        if (drifts) judge_drift(drift_rad);
         if (amount_rad < turn_min_rad || squares <= 0.0) return;
         const double ratio = products / squares;
         if (ratio < 0.0) {

@@ -238,6 +238,15 @@ TEST(TrackFindings, AnotherSizeOfTurnsIsTold) {
                 "odometry_turn", {"1.30 times", "camera.fx_px"});
 }
 
+TEST(TrackFindings, AHeadingThatDriftsIsTold) {
+    const auto drifting = [](double time_s) {
+        const Motion motion = sometimes_turning(time_s);
+        return Motion{motion.v_mps, motion.omega_radps + 0.01};
+    };
+    expect_told(track_findings(rows_of(drifting), track_of(sometimes_turning), "odometry"),
+                "odometry_heading", {"4.6 deg to the left", "camera.yaw_deg"});
+}
+
 TEST(TrackFindings, AReversedWayIsTold) {
     expect_told(track_findings(rows_of(scaled(-1.0, 1.0)), track_of(sometimes_turning), "ground truth"),
                 "ground_truth_way_reversed", {"backwards", "camera.rotate = 180"});
