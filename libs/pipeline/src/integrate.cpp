@@ -6,7 +6,7 @@
 namespace flownav::pipeline {
 namespace {
 
-constexpr int confident_min = 12;          // vectors; fewer mean no texture
+constexpr int confident_min = 12;  // vectors; fewer mean no texture
 // Changes of a robot's motion between two fields, at the most: per second, and beyond that by errors of the
 // flow.
 constexpr double accel_max_mps2 = 15.0;
@@ -57,8 +57,8 @@ void limit_to_a_robot(Rates& rates, const Rates& before, double since_last_s) {
         rates.omega_radps = reachable(rates.omega_radps, before.omega_radps, alpha_max_radps2,
                                       before.held_s + since_last_s, omega_floor_radps);
     if (before.v_known)
-        rates.v_mps = reachable(rates.v_mps, before.v_mps, accel_max_mps2, before.v_held_s + since_last_s,
-                                v_floor_mps);
+        rates.v_mps =
+            reachable(rates.v_mps, before.v_mps, accel_max_mps2, before.v_held_s + since_last_s, v_floor_mps);
 }
 
 }  // namespace

@@ -33,7 +33,8 @@ TEST(MotionSources, AContradictionIsASentenceWithTimeRatioAndKey) {
     const auto findings = sensor_findings(rows_with_contradiction(10));
     ASSERT_EQ(findings.size(), 1U);
     for (const char* part : {"the way of the wheels", "1.0 s", "-1.00", "motion.wheels = off"})
-        EXPECT_NE(findings[0].sentence.find(part), std::string::npos) << part << " in: " << findings[0].sentence;
+        EXPECT_NE(findings[0].sentence.find(part), std::string::npos)
+            << part << " in: " << findings[0].sentence;
 }
 
 TEST(MotionSources, ReadingsOfAnotherClockAreASentence) {
@@ -42,7 +43,8 @@ TEST(MotionSources, ReadingsOfAnotherClockAreASentence) {
     const auto findings = sensor_findings(rows);
     ASSERT_EQ(findings.size(), 1U);
     for (const char* part : {"the gyro", "1.9 s", "one clock", "motion.gyro = off"})
-        EXPECT_NE(findings[0].sentence.find(part), std::string::npos) << part << " in: " << findings[0].sentence;
+        EXPECT_NE(findings[0].sentence.find(part), std::string::npos)
+            << part << " in: " << findings[0].sentence;
 }
 
 TEST(MotionSources, SensorsThatAgreeAreNoSentence) {
