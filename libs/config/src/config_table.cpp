@@ -54,8 +54,9 @@ Key distortion() {
 
 Key rotate() {
     return make_key(
-        {"camera", "rotate", "deg",
-         "turns each image clockwise as it is read; 180 for a camera mounted upside down"},
+        {"camera", "rotate", "",
+         "degrees by which each image is turned clockwise as it is read; 180 for a camera mounted upside "
+         "down"},
         "0 | 90 | 180 | 270", [](const Config& config) { return format_number(config.camera.rotate_deg); },
         [](Config& config, const std::string& text) {
             const int angle_deg = parse_number(text, Range<int>{0, 270});
@@ -80,7 +81,7 @@ void set_mask(CameraConfig& camera, const std::string& text) {
 
 Key mask() {
     return make_key(
-        {"camera", "mask", "px",
+        {"camera", "mask", "",
          "first and last row that show the robot itself, at the bottom or top of the image; they are cut "
          "off"},
         "none, or 2 rows 0 .. 50000",

@@ -206,7 +206,9 @@ void EventTimes::start(EventKind kind, InputCounts& counts) {
         first.erase(first.begin());
     }
     times.intervals_s = intervals_of(first);
+    times.knows_intervals = true;
     for (const Doubtful& event : first) take(event.id, counts);
+    times.knows_intervals = false;
 }
 
 void EventTimes::take(Id id, InputCounts& counts) {
@@ -348,7 +350,8 @@ void EventTimes::use(Id id, InputCounts& counts) {
         if (used.kind == EventKind::Image &&
             interval_s < irregular_share * quantile_s(times.intervals_s, 0.25))
             ++counts.warnings["time_irregular"];
-        if (!is_jump(times.intervals_s, interval_s)) note_interval(times.intervals_s, interval_s);
+        if (!times.knows_intervals && !is_jump(times.intervals_s, interval_s))
+            note_interval(times.intervals_s, interval_s);
     }
     times.last_s = time_s;
     std::visit([time_s](auto& event) { event.timestamp_s = time_s; }, used.event);

@@ -135,10 +135,19 @@ std::vector<Corruption> time_corruptions(const std::string& what) {
     };
 }
 
+/// Drops images, but not the first and the last ones: what was before or after them nobody can know.
 void erase_some(Recording& recording, Dice& dice) {
     const double share = uniform(dice, 0.05, 0.3);
+    const auto is_image = [](const CObservation::Ptr& one) {
+        return dynamic_cast<CObservationImage*>(one.get()) != nullptr;
+    };
+    constexpr int kept = 3;
+    const auto images = std::count_if(recording.begin(), recording.end(), is_image);
+    int number = 0;
     const auto falls_out = [&](const CObservation::Ptr& one) {
-        return dynamic_cast<CObservationImage*>(one.get()) != nullptr && uniform(dice, 0, 1) < share;
+        if (!is_image(one)) return false;
+        ++number;
+        return number > kept && number <= images - kept && uniform(dice, 0, 1) < share;
     };
     recording.erase(std::remove_if(recording.begin(), recording.end(), falls_out), recording.end());
 }

@@ -63,6 +63,7 @@ class EventTimes {
     /// The times of one kind.
     struct Track {
         bool started = false;
+        bool knows_intervals = false;    ///< those of the events that are taken now are counted already
         std::optional<double> last_s;    ///< of the last used event, shifted
         std::deque<double> intervals_s;  ///< the latest, between used events
         double shift_s = 0.0;            ///< added to the recorded times
