@@ -270,9 +270,9 @@ std::vector<Key> map_keys() {
         number<double>(
             {"map", "plan_obstacle_below", "", "planner: a cell less likely free than this is an obstacle"},
             {0.05, 0.49}, AT(map.occupancy.plan_obstacle_below)),
-        number<double>(
-            {"map", "plan_certain_below", "", "planner without another way: only such a cell is an obstacle"},
-            {0.05, 0.49}, AT(map.occupancy.plan_certain_below)),
+        number<double>({"map", "plan_certain_below", "",
+                        "planner without another way, or with a dear one only: such a cell is an obstacle"},
+                       {0.05, 0.49}, AT(map.occupancy.plan_certain_below)),
         number<double>({"map", "backing_free_above", "", "ground at least so likely free may be backed over"},
                        {0.51, 0.95}, AT(map.occupancy.backing_free_above)),
         number<double>(
