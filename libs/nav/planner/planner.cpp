@@ -164,6 +164,8 @@ Plan plan(const COccupancyGridMap2D& map, const Vector2d& from_m, const Vector2d
     const Plan wanted = plan_once(map, from_m, goal_m, robot, params);
     if (wanted.reaches_goal) {
         // What single sights closed is looked at from near before the robot drives far around it.
+        const double least_cost_m = (wanted.path_m.back() - wanted.path_m.front()).norm();  // of any way
+        if (wanted.cost_m <= least_cost_m + params.doubt_cost_m) return wanted;
         PlanParams doubting = params;
         doubting.limits.plan_obstacle_below = params.limits.plan_certain_below;
         const Plan straight = plan_once(map, from_m, goal_m, robot, doubting);

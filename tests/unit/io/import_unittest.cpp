@@ -13,6 +13,7 @@
 #include "flownav/io/recording_writer.h"
 #include "flownav/io/video_file.h"
 #include "flownav/math/units.h"
+#include "import_samples.h"
 #include "rawlog_files.h"
 
 namespace flownav::io {
@@ -20,28 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace flownav::testing;
-
-/// A picture whose line v has the grey value 3 v + offset.
-cv::Mat picture(int offset) {
-    cv::Mat pixels(48, 64, CV_8UC1);
-    for (int v = 0; v < pixels.rows; ++v) pixels.row(v).setTo(3 * v + offset);
-    return pixels;
-}
-
-void write_picture(const fs::path& file, int offset) {
-    fs::create_directories(file.parent_path());
-    cv::imwrite(file.string(), picture(offset));
-}
-
-config::CameraConfig small_camera() {
-    config::CameraConfig camera;
-    camera.fx_px = camera.fy_px = 60;
-    camera.cx_px = 31.5;
-    camera.cy_px = 23.5;
-    camera.height_m = 0.5;
-    camera.pitch_deg = 10;
-    return camera;
-}
 
 CameraMount car_camera() {
     CameraMount mount;
@@ -102,7 +81,7 @@ void expect_names(const std::string& message, std::initializer_list<const char*>
 void write_kitti_odometry(const fs::path& folder) {
     const fs::path sequence = folder / "sequences" / "00";
     for (int i = 0; i < 3; ++i)
-        write_picture(sequence / "image_0" / ("00000" + std::to_string(i) + ".png"), i);
+        write_sample_picture(sequence / "image_0" / ("00000" + std::to_string(i) + ".png"), i);
     write_bytes(sequence / "calib.txt",
                 "P0: 60 0 31.5 0 0 61 23.5 0 0 0 1 0\nP1: 60 0 31.5 -30 0 61 23.5 0 0 0 1 0\n");
     write_bytes(sequence / "times.txt", "0.000000e+00\n1.037359e-01\n2.073381e-01\n");
@@ -183,7 +162,7 @@ TEST(KittiOdometry, MissingPartsAreNamed) {
 void write_kitti_raw(const fs::path& folder) {
     const fs::path drive = folder / "2011_09_26_drive_0005_sync";
     for (int i = 0; i < 3; ++i) {
-        write_picture(drive / "image_02" / "data" / ("000000000" + std::to_string(i) + ".png"), i);
+        write_sample_picture(drive / "image_02" / "data" / ("000000000" + std::to_string(i) + ".png"), i);
     }
     write_bytes(folder / "calib_cam_to_cam.txt",
                 "calib_time: 09-Jan-2012 13:57:47\nP_rect_02: 60 0 31.5 3.6 0 60 23.5 0 0 0 1 0\n");
@@ -229,8 +208,8 @@ TEST(KittiRaw, UnknownDriveIsNamed) {
 
 TEST(ImageFolder, NumbersInNamesOrderAsNumbers) {
     const auto folder = test_folder();
-    for (const int i : {1, 2, 10, 9}) write_picture(folder / ("img" + std::to_string(i) + ".png"), i);
-    ImageFolder sequence(folder, small_camera(), {{}, 20.0});
+    for (const int i : {1, 2, 10, 9}) write_sample_picture(folder / ("img" + std::to_string(i) + ".png"), i);
+    ImageFolder sequence(folder, sample_camera(), {{}, 20.0});
     const auto fields = import(sequence).fields;
     ASSERT_EQ(fields.size(), 4U);
     const int order[] = {1, 2, 9, 10};
@@ -243,39 +222,39 @@ TEST(ImageFolder, NumbersInNamesOrderAsNumbers) {
 TEST(ImageFolder, ColourBecomesGrey) {
     const auto folder = test_folder();
     cv::imwrite((folder / "a.png").string(), cv::Mat(48, 64, CV_8UC3, cv::Scalar(10, 200, 90)));
-    ImageFolder sequence(folder, small_camera(), {});
+    ImageFolder sequence(folder, sample_camera(), {});
     EXPECT_NEAR(import(sequence).fields.at(0).image.at(5, 5), 0.114 * 10 + 0.587 * 200 + 0.299 * 90, 1);
 }
 
 TEST(ImageFolder, TimesBesideTheFolderAreTaken) {
     const auto folder = test_folder();
-    for (int i = 0; i < 2; ++i) write_picture(folder / "images" / (std::to_string(i) + ".png"), i);
+    for (int i = 0; i < 2; ++i) write_sample_picture(folder / "images" / (std::to_string(i) + ".png"), i);
     write_bytes(folder / "log.csv", "index,timestamp_s,gyro\n0,1709732520.775,7\n1,1709732520.824,8\n");
     for (const auto& directory : {folder / "images", folder / "images" / ""}) {
-        ImageFolder sequence(directory, small_camera(), {});
+        ImageFolder sequence(directory, sample_camera(), {});
         sequence.next();
         EXPECT_NEAR(sequence.next()->field.timestamp_s, 1709732520.824, 1e-6);
         expect_names(sequence.times_source(), {"log.csv"});
     }
-    ImageFolder constant(folder / "images", small_camera(), {{}, 10.0});
+    ImageFolder constant(folder / "images", sample_camera(), {{}, 10.0});
     constant.next();
     EXPECT_NEAR(constant.next()->field.timestamp_s, 0.1, 1e-9);
 }
 
 TEST(ImageFolder, TimesFileWithoutHeaderUsesTheFirstColumn) {
     const auto folder = test_folder();
-    for (int i = 0; i < 2; ++i) write_picture(folder / (std::to_string(i) + ".png"), i);
+    for (int i = 0; i < 2; ++i) write_sample_picture(folder / (std::to_string(i) + ".png"), i);
     write_bytes(folder / "times.txt", "0.5 7\n0.75 8\n");
-    ImageFolder sequence(folder, small_camera(), {});
+    ImageFolder sequence(folder, sample_camera(), {});
     EXPECT_NEAR(sequence.next()->field.timestamp_s, 0.5, 1e-12);
     EXPECT_NEAR(sequence.next()->field.timestamp_s, 0.75, 1e-12);
 }
 
 TEST(ImageFolder, AColumnOfTurnRatesBecomesReadingsOfAGyroHalfWayBetweenTheRows) {
     const auto folder = test_folder();
-    for (int i = 0; i < 3; ++i) write_picture(folder / "images" / (std::to_string(i) + ".png"), i);
+    for (int i = 0; i < 3; ++i) write_sample_picture(folder / "images" / (std::to_string(i) + ".png"), i);
     write_bytes(folder / "log.csv", "timestamp_s,gyro_z_degps\n5.0,90\n5.1,-45\n5.3,0\n");
-    ImageFolder sequence(folder / "images", small_camera(), {});
+    ImageFolder sequence(folder / "images", sample_camera(), {});
     const auto gyro = sequence.gyro();
     ASSERT_EQ(gyro.size(), 2U);
     EXPECT_NEAR(gyro[0].timestamp_s, 5.05, 1e-9);
@@ -292,16 +271,16 @@ TEST(ImageFolder, AColumnOfTurnRatesBecomesReadingsOfAGyroHalfWayBetweenTheRows)
     EXPECT_EQ(source.counts().gyro, 2U);
     EXPECT_EQ(source.counts().fields, 3U);
     write_bytes(folder / "log.csv", "timestamp_s,gyro_z_radps\n5.0,0.5\n5.1,0.25\n5.3,0\n");
-    EXPECT_NEAR(ImageFolder(folder / "images", small_camera(), {}).gyro().at(0).omega_radps, 0.5, 1e-12);
-    EXPECT_TRUE(ImageFolder(folder / "images", small_camera(), {{}, 10.0}).gyro().empty());
+    EXPECT_NEAR(ImageFolder(folder / "images", sample_camera(), {}).gyro().at(0).omega_radps, 0.5, 1e-12);
+    EXPECT_TRUE(ImageFolder(folder / "images", sample_camera(), {{}, 10.0}).gyro().empty());
 }
 
 TEST(ImageFolder, UnusableTimesAreNamed) {
     const auto folder = test_folder();
-    for (int i = 0; i < 3; ++i) write_picture(folder / (std::to_string(i) + ".png"), i);
+    for (int i = 0; i < 3; ++i) write_sample_picture(folder / (std::to_string(i) + ".png"), i);
     const auto error_with = [&](const std::string& text) {
         write_bytes(folder / "t.csv", text);
-        return input_error<ImageFolder>(folder, small_camera(), FrameTimes{folder / "t.csv", std::nullopt});
+        return input_error<ImageFolder>(folder, sample_camera(), FrameTimes{folder / "t.csv", std::nullopt});
     };
     expect_names(error_with("0\n0.5\n"), {"t.csv", "2 times for 3 images"});
     expect_names(error_with("0\n0.5\n0.5\n"), {"t.csv, line 3", "not later"});
@@ -311,12 +290,12 @@ TEST(ImageFolder, UnusableTimesAreNamed) {
 }
 
 TEST(ImageFolder, FolderWithoutImagesIsNamed) {
-    expect_names(input_error<ImageFolder>(test_folder(), small_camera(), FrameTimes{}), {"holds no images"});
+    expect_names(input_error<ImageFolder>(test_folder(), sample_camera(), FrameTimes{}), {"holds no images"});
 }
 
 TEST(ImageFolder, MissingCalibrationNamesTheKeysAndLeavesNothing) {
     const auto folder = test_folder();
-    write_picture(folder / "a.png", 1);
+    write_sample_picture(folder / "a.png", 1);
     ImageFolder sequence(folder, config::CameraConfig{}, {});
     RecordingOptions options;
     options.output = folder / "out.rawlog";
@@ -332,8 +311,8 @@ TEST(ImageFolder, MissingCalibrationNamesTheKeysAndLeavesNothing) {
 
 TEST(WriteRecording, WovenFramesAreWrittenAsFields) {
     const auto folder = test_folder();
-    for (int i = 0; i < 3; ++i) write_picture(folder / (std::to_string(i) + ".png"), i);
-    ImageFolder sequence(folder, small_camera(), {{}, 25.0});
+    for (int i = 0; i < 3; ++i) write_sample_picture(folder / (std::to_string(i) + ".png"), i);
+    ImageFolder sequence(folder, sample_camera(), {{}, 25.0});
     const auto fields = import(sequence, config::Interlaced::BottomFirst).fields;
     ASSERT_EQ(fields.size(), 6U);
     for (std::size_t i = 0; i < 6; ++i)
@@ -348,10 +327,10 @@ TEST(WriteRecording, WovenFramesAreWrittenAsFields) {
 
 TEST(WriteRecording, SameInputGivesTheSameBytes) {
     const auto folder = test_folder();
-    for (int i = 0; i < 3; ++i) write_picture(folder / "images" / (std::to_string(i) + ".png"), i);
+    for (int i = 0; i < 3; ++i) write_sample_picture(folder / "images" / (std::to_string(i) + ".png"), i);
     std::string bytes[2];
     for (auto& copy : bytes) {
-        ImageFolder sequence(folder / "images", small_camera(), {});
+        ImageFolder sequence(folder / "images", sample_camera(), {});
         RecordingOptions options;
         options.output = folder / "out.rawlog";
         write_recording(sequence, options);
@@ -364,9 +343,9 @@ TEST(WriteRecording, SameInputGivesTheSameBytes) {
 
 TEST(WriteRecording, UnwritableOutputIsAnOutputError) {
     const auto folder = test_folder();
-    for (int i = 0; i < 3; ++i) write_picture(folder / (std::to_string(i) + ".png"), i);
+    for (int i = 0; i < 3; ++i) write_sample_picture(folder / (std::to_string(i) + ".png"), i);
     for (const fs::path& output : {fs::path("/dev/full"), folder / "gone" / "out.rawlog", folder}) {
-        ImageFolder sequence(folder, small_camera(), {});
+        ImageFolder sequence(folder, sample_camera(), {});
         RecordingOptions options;
         options.output = output;
         EXPECT_THROW(write_recording(sequence, options), OutputError) << output;
@@ -379,7 +358,7 @@ TEST(WriteRecording, AnOlderFileSurvivesAFailedImport) {
     const auto folder = test_folder();
     write_bytes(folder / "out.rawlog", "precious");
     write_bytes(folder / "broken.png", "no picture");
-    ImageFolder sequence(folder, small_camera(), {});
+    ImageFolder sequence(folder, sample_camera(), {});
     RecordingOptions options;
     options.output = folder / "out.rawlog";
     EXPECT_THROW(write_recording(sequence, options), InputError);
@@ -390,16 +369,16 @@ TEST(WriteRecording, AnOlderFileSurvivesAFailedImport) {
 void write_video(const fs::path& file) {
     cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('F', 'F', 'V', '1'), 20.0,
                            cv::Size(64, 48), false);
-    for (int i = 0; i < 5; ++i) writer.write(picture(i));
+    for (int i = 0; i < 5; ++i) writer.write(sample_picture(i));
 }
 
 TEST(VideoFile, FramesBecomeImagesAtTheRateOfTheVideo) {
     const auto file = test_folder() / "drive.avi";
     write_video(file);
     if (!fs::exists(file)) GTEST_SKIP() << "this OpenCV cannot write videos";
-    VideoFile sequence(file, small_camera(), std::nullopt);
+    VideoFile sequence(file, sample_camera(), std::nullopt);
     EXPECT_EQ(sequence.size(), 5U);
-    VideoFile other(file, small_camera(), 50.0);
+    VideoFile other(file, sample_camera(), 50.0);
     other.next();
     EXPECT_NEAR(other.next()->field.timestamp_s, 0.02, 1e-9);
     std::size_t count = 0;
@@ -414,11 +393,11 @@ TEST(VideoFile, FramesBecomeImagesAtTheRateOfTheVideo) {
 TEST(VideoFile, WhatIsNoVideoIsNamed) {
     const auto folder = test_folder();
     const std::optional<double> rate;
-    expect_names(input_error<VideoFile>(folder / "gone.avi", small_camera(), rate),
+    expect_names(input_error<VideoFile>(folder / "gone.avi", sample_camera(), rate),
                  {"gone.avi", "no such file"});
-    expect_names(input_error<VideoFile>(folder, small_camera(), rate), {"not a file"});
+    expect_names(input_error<VideoFile>(folder, sample_camera(), rate), {"not a file"});
     write_bytes(folder / "text.avi", "no video at all");
-    expect_names(input_error<VideoFile>(folder / "text.avi", small_camera(), rate),
+    expect_names(input_error<VideoFile>(folder / "text.avi", sample_camera(), rate),
                  {"cannot be read as a video"});
 }
 

@@ -117,7 +117,7 @@ FloorEnd floor_end(const LevelImage& image, const StripGrid& grid, const std::ve
         const FloorCell& c = cells[grid.index(cell, strip)];
         const double far_m = image.camera.floor_m(cell * cell_rows);
         if (map.floor[grid.index(cell, strip)] != 0) {
-            end = {far_m, cell};
+            end = {far_m, cell, false};
             reached_m = far_m;
             lacking = 0.0;
             continue;
@@ -150,23 +150,28 @@ bool texture_ends(const StripGrid& grid, const std::vector<FloorCell>& cells, in
     return before && behind && *before > texture_min && *behind < texture_left * *before;
 }
 
+/// How many of the four nearest strips have nearly the same range; `range_m(strip)`, 0: none. `share`:
+/// largest step of the range to the next strip.
+template <class Range>
+int alike_beside(const StripGrid& grid, int strip, double share, const Range& range_m) {
+    const double here_m = range_m(strip);
+    int alike = 0;
+    for (int k = std::max(0, strip - 2); k <= std::min(grid.strips - 1, strip + 2); ++k)
+        alike += k != strip && std::abs(range_m(k) - here_m) < share * std::abs(k - strip) * here_m;
+    return alike;
+}
+
 /// Marks strips as seen where texture ends along a line: what begins there is something else than this floor,
 /// though it shows no edge.
-void see_ends_of_texture(const StripGrid& grid, const std::vector<FloorCell>& cells, const FloorMap& map,
+void see_ends_of_texture(const StripGrid& grid, const std::vector<FloorEnd>& ends,
                          std::vector<StripEvidence>& strips) {
     const auto end_m = [&](int s) {
-        return texture_ends(grid, cells, s, map.ends[static_cast<std::size_t>(s)])
-                   ? map.ends[static_cast<std::size_t>(s)].forward_m
-                   : 0.0;
+        const FloorEnd& end = ends[static_cast<std::size_t>(s)];
+        return end.of_texture ? end.forward_m : 0.0;
     };
-    for (int s = 0; s < grid.strips; ++s) {
-        const double here_m = end_m(s);
-        if (here_m <= 0.0) continue;
-        int alike = 0;
-        for (int k = std::max(0, s - 2); k <= std::min(grid.strips - 1, s + 2); ++k)
-            alike += k != s && std::abs(end_m(k) - here_m) < one_line * std::abs(k - s) * here_m;
-        if (alike >= line_neighbours) strips[static_cast<std::size_t>(s)].is_seen = true;
-    }
+    for (int s = 0; s < grid.strips; ++s)
+        if (end_m(s) > 0.0 && alike_beside(grid, s, one_line, end_m) >= line_neighbours)
+            strips[static_cast<std::size_t>(s)].is_seen = true;
 }
 
 /// The first edge below a surface that has none.
@@ -226,10 +231,12 @@ void find_floor_ends(const LevelImage& image, const std::vector<FloorCell>& cell
         map.missing[static_cast<std::size_t>(cell)] = -std::log(1.0 - presence(grid, cells, map.floor, cell));
     map.ends.clear();
     for (int s = 0; s < grid.strips; ++s) {
-        map.ends.push_back(floor_end(image, grid, cells, map, s));
-        strips[static_cast<std::size_t>(s)].floor_end_m = map.ends.back().forward_m;
+        FloorEnd end = floor_end(image, grid, cells, map, s);
+        end.of_texture = texture_ends(grid, cells, s, end);
+        map.ends.push_back(end);
+        strips[static_cast<std::size_t>(s)].floor_end_m = end.forward_m;
     }
-    see_ends_of_texture(grid, cells, map, strips);
+    see_ends_of_texture(grid, map.ends, strips);
 }
 
 void find_walls(const LevelImage& image, const std::vector<FloorCell>& cells, const FloorMap& map,
@@ -242,9 +249,7 @@ void find_walls(const LevelImage& image, const std::vector<FloorCell>& cells, co
     }
     for (int s = 0; s < grid.strips; ++s) {
         const double here_m = at(s).first_edge_m;
-        int alike = 0;
-        for (int k = std::max(0, s - 2); k <= std::min(grid.strips - 1, s + 2); ++k)
-            alike += k != s && std::abs(at(k).first_edge_m - here_m) < continuing * std::abs(k - s) * here_m;
+        const int alike = alike_beside(grid, s, continuing, [&](int k) { return at(k).first_edge_m; });
         at(s).wall_m = here_m > 0.0 && here_m <= range_max_m && alike >= wall_neighbours ? here_m : 0.0;
     }
 }

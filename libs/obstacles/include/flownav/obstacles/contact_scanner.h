@@ -96,8 +96,9 @@ struct ScanInWork {
 
 /// Where the floor of a strip ends.
 struct FloorEnd {
-    double forward_m = 0.0;  ///< 0: no floor is confirmed
-    int cell = 0;            ///< the last one of floor
+    double forward_m = 0.0;   ///< 0: no floor is confirmed
+    int cell = 0;             ///< the last one of floor
+    bool of_texture = false;  ///< texture ends there as well
 };
 
 /// Where a scan sees floor.
